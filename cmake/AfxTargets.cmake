@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-2-Clause
+# How a folder becomes targets. By file name:
+#   x.cpp  library    x_test.cpp  unit tests    x_bench.cpp  benchmark    x_fuzz.cpp  fuzz target
+
+add_library(afx_options INTERFACE)
+target_compile_features(afx_options INTERFACE cxx_std_20)
+target_include_directories(afx_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                 $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>)
+target_compile_options(afx_options INTERFACE -Wall -Wextra -Wconversion -Wshadow -ffp-contract=off
+                       $<$<BOOL:${AFX_WERROR}>:-Werror>)
+if(AFX_SANITIZE)
+  target_compile_options(afx_options INTERFACE -fsanitize=${AFX_SANITIZE}
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(afx_options INTERFACE -fsanitize=${AFX_SANITIZE})
+endif()
+
+if(AFX_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+  include(GoogleTest)
+endif()
+if(AFX_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()
+
+# The library sources of a folder: every .cpp that is not a test, benchmark or fuzz target.
+function(afx_folder_sources out)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  list(FILTER sources EXCLUDE REGEX "_(test|bench|fuzz|main|module)\\.cpp$")
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
+# afx_layer(codec DEPENDS ...): the object library afx_<folder>, part of afx::afx.
+function(afx_layer name)
+  cmake_parse_arguments(arg "" "" "DEPENDS;SOURCES" ${ARGN})
+  afx_folder_sources(sources)
+  add_library(afx_${name} OBJECT ${sources} ${arg_SOURCES})
+  target_link_libraries(afx_${name} PUBLIC afx_options ${arg_DEPENDS})
+endfunction()
+
+# afx_checks(codec LIBS ...): one program of unit tests, and a program for each benchmark and fuzz target.
+function(afx_checks name)
+  cmake_parse_arguments(arg "" "" "LIBS" ${ARGN})
+  if(AFX_TESTS)
+    file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
+    if(tests)
+      add_executable(${name}_tests ${tests})
+      target_link_libraries(${name}_tests PRIVATE ${arg_LIBS} afx_options GTest::gmock GTest::gtest_main
+                            nlohmann_json::nlohmann_json)
+      target_compile_definitions(${name}_tests PRIVATE AFX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+      gtest_discover_tests(${name}_tests TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+                           DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+    endif()
+    file(GLOB fuzzers CONFIGURE_DEPENDS *_fuzz.cpp)
+    foreach(file ${fuzzers})
+      get_filename_component(target ${file} NAME_WE)
+      afx_fuzz_target(${target} ${file} ${arg_LIBS})
+    endforeach()
+  endif()
+  if(AFX_BENCHMARKS)
+    file(GLOB benches CONFIGURE_DEPENDS *_bench.cpp)
+    foreach(file ${benches})
+      get_filename_component(target ${file} NAME_WE)
+      add_executable(${target} ${file})
+      target_link_libraries(${target} PRIVATE ${arg_LIBS} afx_options benchmark::benchmark)
+      target_compile_definitions(${target} PRIVATE AFX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    endforeach()
+  endif()
+endfunction()
+
+# A fuzz target: with libFuzzer a fuzzer; otherwise the same file replays conformance/corpus/<target>
+# and mutations of it from a fixed seed, as an ordinary test.
+function(afx_fuzz_target target file)
+  add_executable(${target} ${file})
+  target_link_libraries(${target} PRIVATE ${ARGN} afx_options)
+  if(AFX_LIBFUZZER)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer)
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+    add_test(NAME fuzz.${target} COMMAND ${target} -runs=20000 -max_len=4096
+             ${PROJECT_SOURCE_DIR}/conformance/corpus/${target})
+  else()
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/conformance/fuzz_replay_main.cpp)
+    add_test(NAME fuzz.${target} COMMAND ${target} ${PROJECT_SOURCE_DIR}/conformance/corpus/${target})
+  endif()
+  set_tests_properties(fuzz.${target} PROPERTIES TIMEOUT 900)
+endfunction()
