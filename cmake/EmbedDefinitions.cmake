@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSD-2-Clause
+# Writes OUTPUT, a C++ file with the text of each of INPUTS, for nodes/definitions.cpp.
+list(SORT INPUTS COMPARE NATURAL)
+set(text "// Made by cmake/EmbedDefinitions.cmake from nodes/definitions; do not edit.\n")
+string(APPEND text "#include \"nodes/definition_texts.h\"\n\nnamespace afx::nodes {\n\n")
+string(APPEND text "const DefinitionText kDefinitionTexts[] = {\n")
+foreach(input ${INPUTS})
+  get_filename_component(name ${input} NAME)
+  file(READ ${input} content)
+  # Compilers accept string literals of 64 KiB only: cut into pieces, which the compiler joins.
+  string(LENGTH "${content}" length)
+  string(APPEND text "    {\"${name}\",\n")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${content}" ${at} 8000 piece)
+    string(APPEND text "R\"~~(${piece})~~\"\n")
+    math(EXPR at "${at} + 8000")
+  endwhile()
+  string(APPEND text "    },\n")
+endforeach()
+string(APPEND text "};\nconst unsigned kDefinitionTextCount = sizeof kDefinitionTexts / sizeof kDefinitionTexts[0];\n\n}  // namespace afx::nodes\n")
+file(WRITE ${OUTPUT} "${text}")
