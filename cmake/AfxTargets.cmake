@@ -25,6 +25,7 @@ if(AFX_TESTS)
 endif()
 if(AFX_BENCHMARKS)
   find_package(benchmark REQUIRED)
+  add_custom_target(benchmarks)  # all of them, for tools/bench
 endif()
 
 # The library sources of a folder: every .cpp that is not a test, benchmark or fuzz target.
@@ -66,6 +67,7 @@ function(afx_checks name)
     foreach(file ${benches})
       get_filename_component(target ${file} NAME_WE)
       add_executable(${target} ${file})
+      add_dependencies(benchmarks ${target})
       target_link_libraries(${target} PRIVATE ${arg_LIBS} afx_options benchmark::benchmark)
       target_compile_definitions(${target} PRIVATE AFX_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     endforeach()

@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
     }
   }
   const char* wanted = std::getenv("AFX_FUZZ_RUNS");
-  const size_t corruptions = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 20000;
+  const size_t corruptions = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 100000;
   std::mt19937 random(1);
   for (size_t i = 0; i < corruptions; ++i, ++runs) {
     Bytes data = corpus[random() % corpus.size()];

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/builder/grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "codec/octree.h"
+
+namespace afx {
+
+Bounds bounds_of(std::span<const glm::vec3> points) {
+  if (points.empty()) return {};
+  Bounds bounds{glm::dvec3(points[0]), glm::dvec3(points[0])};
+  for (const glm::vec3& point : points) {
+    bounds.low = glm::min(bounds.low, glm::dvec3(point));
+    bounds.high = glm::max(bounds.high, glm::dvec3(point));
+  }
+  return bounds;
+}
+
+Grid::Grid(const Bounds& bounds, uint32_t wanted)
+    : levels(octree_levels(wanted)), resolution(wanted) {
+  const glm::dvec3 extent = bounds.high - bounds.low;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  if (longest > 0 && std::isfinite(resolution / longest)) scale = resolution / longest;
+  object_centre = bounds.low + 0.5 * extent;
+  const uint32_t border = ((1U << levels) - resolution) / 2;
+  middle = border + 0.5 * resolution;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double high = (bounds.high[axis] - object_centre[axis]) * scale + middle;
+    const auto end = static_cast<int32_t>(std::llround(high * kSubvoxels));
+    const bool flat =
+        !(extent[axis] * scale * kSubvoxels > 1);  // nothing but this end: no taking back
+    const int32_t cube_end = static_cast<int32_t>(kSubvoxels << levels) - 1;
+    last[axis] = std::min(flat ? end : end - 1, cube_end);
+  }
+}
+
+glm::dvec3 Grid::to_voxels(const glm::vec3& point) const {
+  return (glm::dvec3(point) - object_centre) * scale + glm::dvec3(middle);
+}
+
+glm::ivec3 Grid::to_fixed(const glm::vec3& point) const {
+  const glm::dvec3 place = to_voxels(point) * static_cast<double>(kSubvoxels);
+  const auto rounded = [](double v) { return static_cast<int32_t>(std::llround(v)); };
+  const glm::ivec3 fixed(rounded(place.x), rounded(place.y), rounded(place.z));
+  return glm::clamp(fixed, glm::ivec3(0), last);
+}
+
+}  // namespace afx

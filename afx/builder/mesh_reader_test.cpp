@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "afx/builder/model_reader.h"
+#include "afx/file_test_folder.h"
+#include "afx/picture_io.h"
+#include "afx/srgb.h"
+
+namespace afx {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+const char* const kSquare =
+    "mtllib m.mtl\nusemtl paint\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 "
+    "1\n"
+    "f 1/1 2/2 3/3 4/4\n";
+
+Picture orange() {
+  Picture picture(2, 2, 3);
+  for (size_t i = 0; i < 12; i += 3) {
+    picture.samples[i] = 255;
+    picture.samples[i + 1] = 128;
+  }
+  return picture;
+}
+
+struct Read {
+  Result<Mesh> mesh;
+  Diagnostics diagnostics;
+};
+
+Read read(const std::string& path) {
+  Diagnostics diagnostics;
+  Result<Mesh> mesh = read_mesh(path, Limits(), diagnostics);
+  return {std::move(mesh), std::move(diagnostics)};
+}
+
+TEST(ReadMesh, GivesTrianglesWithTheirTexture) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.png\n");
+  ASSERT_TRUE(write_picture(folder.path("t.png"), orange()).ok());
+  const Read result = read(folder.write("square.obj", kSquare));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  const Mesh& mesh = result.mesh.value();
+  EXPECT_EQ(result.diagnostics.count(), 0U);
+  ASSERT_THAT(mesh.triangles, SizeIs(2));
+  EXPECT_EQ(mesh.positions.size(), mesh.texture_coords.size());
+  // Texture coordinates are the positions here: v grows upwards in both.
+  for (size_t i = 0; i < mesh.positions.size(); ++i)
+    EXPECT_EQ(glm::vec2(mesh.positions[i]), mesh.texture_coords[i]);
+  ASSERT_THAT(mesh.textures, SizeIs(1));
+  EXPECT_EQ(mesh.textures[0].samples, orange().samples);
+  EXPECT_EQ(mesh.materials[mesh.material_of[0]].texture, 0U);
+  EXPECT_EQ(mesh.materials[mesh.material_of[0]].colour, glm::vec3(1));
+  EXPECT_TRUE(mesh.has_colours);
+}
+
+TEST(ReadMesh, FindsTexturesUnderTheNamesThatOtherSystemsWrite) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("Tex Ture.png"), orange()).ok());
+  for (const char* name :
+       {"Tex Ture.png", "C:\\models\\Tex Ture.png", "textures/TEX TURE.PNG", "Tex%20Ture.png"}) {
+    folder.write("m.mtl", std::string("newmtl paint\nKd 1 1 1\nmap_Kd ") + name + "\n");
+    const Read result = read(folder.write("square.obj", kSquare));
+    ASSERT_TRUE(result.mesh.ok());
+    EXPECT_THAT(result.mesh.value().textures, SizeIs(1)) << name;
+  }
+}
+
+TEST(ReadMesh, WarnsOfAMissingTextureAndTakesTheMaterialsColour) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl paint\nKd 1 0 0\nmap_Kd nowhere.png\n");
+  const Read result = read(folder.write("square.obj", kSquare));
+  ASSERT_TRUE(result.mesh.ok());
+  ASSERT_THAT(result.diagnostics.warnings(), SizeIs(1));
+  EXPECT_EQ(result.diagnostics.warnings()[0].code, "texture_missing");
+  EXPECT_THAT(result.diagnostics.warnings()[0].text, HasSubstr("nowhere.png"));
+  const Material& material = result.mesh.value().materials[result.mesh.value().material_of[0]];
+  EXPECT_EQ(material.texture, Material::kNoTexture);
+  EXPECT_EQ(material.colour, glm::vec3(1, 0, 0));
+}
+
+TEST(ReadMesh, TakesMaterialColoursOfObjAsSrgb) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl paint\nKd 0.5019608 0 1\n");  // 128/255
+  const Read result = read(folder.write("square.obj", kSquare));
+  ASSERT_TRUE(result.mesh.ok());
+  const glm::vec3 colour = result.mesh.value().materials[result.mesh.value().material_of[0]].colour;
+  EXPECT_NEAR(colour.r, srgb_to_linear()[128], 1e-4);
+  EXPECT_EQ(linear_to_srgb(colour.r), 128);
+  EXPECT_EQ(linear_to_srgb(colour.b), 255);
+}
+
+TEST(ReadMesh, KnowsThatAFileSaysNothingOfColours) {
+  const TestFolder folder;
+  const Read obj = read(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  ASSERT_TRUE(obj.mesh.ok());
+  EXPECT_FALSE(obj.mesh.value().has_colours);
+  const Read stl = read(folder.write(
+      "a.stl",
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\nendsolid a\n"));
+  ASSERT_TRUE(stl.mesh.ok()) << stl.mesh.error().text;
+  EXPECT_FALSE(stl.mesh.value().has_colours);
+}
+
+TEST(ReadMesh, TakesVertexColours) {
+  const TestFolder folder;
+  const Read result = read(
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                   "y\nproperty float z\n"
+                   "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+                   "property list uchar int vertex_indices\nend_header\n0 0 0 255 0 128\n1 0 0 255 "
+                   "0 128\n0 1 0 255 0 128\n3 0 1 2\n"));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  const Mesh& mesh = result.mesh.value();
+  EXPECT_TRUE(mesh.has_colours);
+  ASSERT_THAT(mesh.colours, SizeIs(3));
+  EXPECT_EQ(linear_to_srgb(mesh.colours[0].r), 255);
+  EXPECT_EQ(linear_to_srgb(mesh.colours[0].b), 128);
+}
+
+// A glTF scene by hand: a triangle under a node that moves and mirrors it, colour 0.5 in linear
+// light.
+std::string gltf() {
+  // Positions (0,0,0) (1,0,0) (0,1,0) as little-endian floats in base64.
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+    "nodes":[{"translation":[10,0,0],"children":[1]},{"scale":[-1,1,1],"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+    "materials":[{"name":"half","pbrMetallicRoughness":{"baseColorFactor":[0.5,0,1,1]}}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+}
+
+TEST(ReadMesh, AppliesTheTransformsOfNodes) {
+  const TestFolder folder;
+  const Read result = read(folder.write("a.gltf", gltf()));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  const Mesh& mesh = result.mesh.value();
+  std::vector<float> xs;
+  for (const glm::vec3& p : mesh.positions) xs.push_back(p.x);
+  std::sort(xs.begin(), xs.end());
+  EXPECT_EQ(xs, (std::vector<float>{9, 10, 10}));
+  // Mirroring turns the triangle around; the reader turns it back, so that its front stays the
+  // front: the normal of the triangle, +z, is mirrored in x only and stays +z.
+  const glm::uvec3 t = mesh.triangles[0];
+  const glm::vec3 a = mesh.positions[t.y] - mesh.positions[t.x],
+                  b = mesh.positions[t.z] - mesh.positions[t.x];
+  EXPECT_GT(a.x * b.y - a.y * b.x, 0);
+}
+
+TEST(ReadMesh, TakesColoursOfGltfAsLinearLight) {
+  const TestFolder folder;
+  const Read result = read(folder.write("a.gltf", gltf()));
+  ASSERT_TRUE(result.mesh.ok());
+  const glm::vec3 colour = result.mesh.value().materials[result.mesh.value().material_of[0]].colour;
+  EXPECT_NEAR(colour.r, 0.5, 1e-6);
+  EXPECT_EQ(linear_to_srgb(colour.r), 188);
+}
+
+TEST(ReadMesh, CountsLinesAndPointsThatItLeavesOut) {
+  const TestFolder folder;
+  const Read result =
+      read(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\nl 2 3\n"));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  EXPECT_THAT(result.mesh.value().triangles, SizeIs(1));
+  ASSERT_THAT(result.diagnostics.warnings(), SizeIs(1));
+  EXPECT_EQ(result.diagnostics.warnings()[0].code, "skipped_primitives");
+  EXPECT_THAT(result.diagnostics.warnings()[0].text, HasSubstr("2 lines"));
+}
+
+TEST(ReadMesh, SaysWhatIsWrong) {
+  const TestFolder folder;
+  const Read missing = read(folder.path("no.obj"));
+  ASSERT_FALSE(missing.mesh.ok());
+  EXPECT_EQ(missing.mesh.error().code, Errc::io);
+  const Read unknown = read(folder.write("a.xyzzy", "something else"));
+  ASSERT_FALSE(unknown.mesh.ok());
+  EXPECT_EQ(unknown.mesh.error().code, Errc::unsupported);
+  EXPECT_EQ(unknown.mesh.error().file, folder.path("a.xyzzy"));
+  for (const char* text :
+       {"", "v 0 0 0\nv 1 0 0\n", "v 0 0 0\nv 1 0 0\nl 1 2\n", "v 0 0 0\nf 1 2 3\n"}) {
+    const Read empty = read(folder.write("a.obj", text));
+    ASSERT_FALSE(empty.mesh.ok()) << text;
+    EXPECT_EQ(empty.mesh.error().code, Errc::malformed);
+    EXPECT_EQ(empty.mesh.error().file, folder.path("a.obj"));
+  }
+}
+
+TEST(ReadMesh, CutAtAnyLengthNeverCrashes) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl paint\nKd 1 0 0\n");
+  for (const std::string& whole : {std::string(kSquare), gltf()}) {
+    const std::string name = whole[0] == '{' ? "a.gltf" : "a.obj";
+    for (size_t length = 0; length < whole.size(); length += 3) {
+      const Read result = read(folder.write(name, whole.substr(0, length)));
+      if (result.mesh.ok()) {
+        EXPECT_FALSE(result.mesh.value().triangles.empty());
+      } else {
+        EXPECT_FALSE(result.mesh.error().text.empty());
+      }
+    }
+  }
+}
+
+TEST(ReadSourceModel, TellsPointsFromMeshesByContent) {
+  const TestFolder folder;
+  Diagnostics diagnostics;
+  const std::string points =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+      "z\nend_header\n1 2 3\n";
+  const auto cloud = read_source_model(folder.write("points.obj", points), Limits(), diagnostics);
+  ASSERT_TRUE(cloud.ok()) << cloud.error().text;
+  EXPECT_TRUE(std::holds_alternative<PointCloud>(cloud.value()));
+  const auto mesh = read_source_model(
+      folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), Limits(), diagnostics);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_TRUE(std::holds_alternative<Mesh>(mesh.value()));
+  const auto bad =
+      read_source_model(folder.write("bad.ply", points.substr(0, 30)), Limits(), diagnostics);
+  ASSERT_FALSE(bad.ok());
+  EXPECT_EQ(bad.error().file, folder.path("bad.ply"));
+}
+
+}  // namespace
+}  // namespace afx

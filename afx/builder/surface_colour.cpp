@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/builder/surface_colour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace afx {
+namespace {
+
+// A corner of a piece cut out of a triangle: where it is, and the weights of the triangle's
+// corners.
+struct CutCorner {
+  glm::dvec3 place;
+  double b, c;
+};
+
+// A triangle cut by six planes has at most nine corners.
+struct Cut {
+  std::array<CutCorner, 10> corners;
+  size_t count = 0;
+  void push(const CutCorner& corner) {
+    if (count < corners.size()) corners[count++] = corner;
+  }
+};
+
+CutCorner between(const CutCorner& p, const CutCorner& q, double t) {
+  return {p.place + (q.place - p.place) * t, p.b + (q.b - p.b) * t, p.c + (q.c - p.c) * t};
+}
+
+// Keeps the part where sign * (coordinate - border) <= 0. Source: Sutherland and Hodgman, 1974.
+void cut_by_plane(Cut& cut, int axis, double border, double sign) {
+  const auto height = [&](const CutCorner& corner) { return sign * (corner.place[axis] - border); };
+  bool outside = false;
+  for (size_t i = 0; i < cut.count; ++i) outside = outside || height(cut.corners[i]) > 0;
+  if (!outside) return;
+  Cut kept;
+  for (size_t i = 0; i < cut.count; ++i) {
+    const CutCorner& here = cut.corners[i];
+    const CutCorner& next = cut.corners[i + 1 < cut.count ? i + 1 : 0];
+    const double h = height(here), n = height(next);
+    if (h <= 0) kept.push(here);
+    if ((h < 0 && n > 0) || (h > 0 && n < 0)) kept.push(between(here, next, h / (h - n)));
+  }
+  cut = kept;
+}
+
+Cut cut_by_box(const std::array<glm::dvec3, 3>& corners, const glm::ivec3& low, double margin) {
+  Cut cut;
+  cut.push({corners[0], 0, 0});
+  cut.push({corners[1], 1, 0});
+  cut.push({corners[2], 0, 1});
+  for (int axis = 0; axis < 3; ++axis) {
+    cut_by_plane(cut, axis, low[axis] - margin, -1);
+    cut_by_plane(cut, axis, low[axis] + 1 + margin, 1);
+  }
+  return cut;
+}
+
+}  // namespace
+
+SurfaceColour::SurfaceColour(const Mesh& mesh, const Grid& grid) : mesh_(mesh), grid_(grid) {
+  samplers_.reserve(mesh.textures.size());
+  for (const Picture& texture : mesh.textures) samplers_.emplace_back(texture);
+}
+
+SurfaceColour::Piece SurfaceColour::piece(size_t triangle) const {
+  const glm::uvec3 v = mesh_.triangles[triangle];
+  Piece piece{};
+  for (int k = 0; k < 3; ++k)
+    piece.corners[static_cast<size_t>(k)] = grid_.to_voxels(mesh_.positions[v[k]]);
+  piece.vertices = v;
+  piece.material = &mesh_.materials[mesh_.material_of[triangle]];
+  const glm::dvec3 across =
+      glm::cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]);
+  const double doubled = glm::length(across);
+  if (doubled > 0) piece.normal = across / doubled;
+  if (piece.material->texture == Material::kNoTexture || mesh_.texture_coords.empty() ||
+      !(doubled > 0))
+    return piece;
+  const glm::dvec2 p(mesh_.texture_coords[v[0]]), q(mesh_.texture_coords[v[1]]),
+      r(mesh_.texture_coords[v[2]]);
+  const double on_texture = std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
+  piece.texels = on_texture * samplers_[piece.material->texture].texels() / doubled;
+  return piece;
+}
+
+glm::dvec3 SurfaceColour::colour_at(const Piece& piece, Weights at, double area) const {
+  const double a = 1 - at.b - at.c;
+  const glm::uvec3 v = piece.vertices;
+  glm::dvec3 colour(piece.material->colour);
+  if (!mesh_.colours.empty())
+    colour *= a * glm::dvec3(mesh_.colours[v[0]]) + at.b * glm::dvec3(mesh_.colours[v[1]]) +
+              at.c * glm::dvec3(mesh_.colours[v[2]]);
+  if (piece.material->texture == Material::kNoTexture || mesh_.texture_coords.empty())
+    return colour;
+  const glm::dvec2 place = a * glm::dvec2(mesh_.texture_coords[v[0]]) +
+                           at.b * glm::dvec2(mesh_.texture_coords[v[1]]) +
+                           at.c * glm::dvec2(mesh_.texture_coords[v[2]]);
+  return colour * glm::dvec3(samplers_[piece.material->texture].sample(
+                      place, area, piece.material->wrap_u, piece.material->wrap_v));
+}
+
+// Divides a part of the triangle into 1, 4 or 16 equal ones and takes the colour at their middles,
+// each the mean over as many texels as it covers.
+void SurfaceColour::add_light(const Piece& piece, const std::array<Weights, 3>& corners,
+                              double area, SurfaceSum& sum) const {
+  const double texels = area * piece.texels;
+  const int parts = texels <= 1 ? 1 : (texels <= 16 ? 2 : 4);
+  const double share = 1.0 / (parts * parts);
+  const Weights &p = corners[0], &q = corners[1], &r = corners[2];
+  const auto add_at = [&](double s, double t) {
+    const Weights at{p.b + (q.b - p.b) * s + (r.b - p.b) * t,
+                     p.c + (q.c - p.c) * s + (r.c - p.c) * t};
+    sum.light += colour_at(piece, at, texels * share) * (area * share);
+  };
+  for (int i = 0; i < parts; ++i) {
+    for (int j = 0; i + j < parts; ++j) {
+      add_at((i + 1.0 / 3) / parts, (j + 1.0 / 3) / parts);
+      if (i + j + 1 < parts) add_at((i + 2.0 / 3) / parts, (j + 2.0 / 3) / parts);
+    }
+  }
+}
+
+void SurfaceColour::add(const Piece& piece, const glm::ivec3& low, double margin,
+                        SurfaceSum& sum) const {
+  const Cut cut = cut_by_box(piece.corners, low, margin);
+  const CutCorner& first = cut.corners[0];
+  for (size_t i = 2; i < cut.count; ++i) {
+    const CutCorner &before = cut.corners[i - 1], &here = cut.corners[i];
+    const glm::dvec3 across = glm::cross(before.place - first.place, here.place - first.place);
+    const double area = 0.5 * glm::length(across);
+    if (!(area > 0)) continue;
+    sum.area += area;
+    sum.normal += piece.normal * area;
+    add_light(piece,
+              {Weights{first.b, first.c}, Weights{before.b, before.c}, Weights{here.b, here.c}},
+              area, sum);
+  }
+}
+
+void SurfaceColour::add_touch(const Piece& piece, SurfaceSum& sum) const {
+  sum.area += 1;
+  sum.normal += piece.normal;
+  sum.light += colour_at(piece, {1.0 / 3, 1.0 / 3}, 1);
+}
+
+}  // namespace afx

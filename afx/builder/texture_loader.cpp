@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/builder/texture_loader.h"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "afx/picture_io.h"
+
+namespace afx {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code problem;
+  return fs::is_regular_file(path, problem);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+// The file of a folder whose name is the same but for capitals; the first in the order of names.
+std::string find_ignoring_case(const fs::path& folder, const std::string& name) {
+  std::error_code problem;
+  std::string found;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const std::string candidate = entry->path().filename().string();
+    if (lower(candidate) == lower(name) && (found.empty() || candidate < found)) found = candidate;
+  }
+  return found.empty() ? found : (folder / found).string();
+}
+
+// %20 and the like, in names that are urls.
+std::string percent_decoded(const std::string& text) {
+  const auto digit = [](char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    const char l = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
+    return l >= 'a' && l <= 'f' ? l - 'a' + 10 : -1;
+  };
+  std::string result;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 &&
+        digit(text[i + 2]) >= 0) {
+      result += static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2]));
+      i += 2;
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
+bool has_transparency(const Picture& picture) {
+  if (picture.components % 2 != 0) return false;
+  for (size_t i = picture.components - 1; i < picture.samples.size(); i += picture.components)
+    if (picture.samples[i] != 255) return true;
+  return false;
+}
+
+}  // namespace
+
+TextureLoader::TextureLoader(const aiScene& scene, const std::string& model_path,
+                             const Limits& limits, Diagnostics& diagnostics)
+    : scene_(scene),
+      folder_(fs::path(model_path).parent_path().string()),
+      limits_(limits),
+      diagnostics_(diagnostics) {}
+
+Result<std::optional<uint32_t>> TextureLoader::load(const std::string& name) {
+  if (const auto at = known_.find(name); at != known_.end()) return at->second;
+  Result<Picture> picture = read(name);
+  std::optional<uint32_t> number;
+  if (picture.ok()) {
+    if (has_transparency(picture.value()))
+      diagnostics_.warn(
+          "texture_alpha", {},
+          "the alpha of texture " + name + " is ignored: all of the surface is opaque");
+    number = static_cast<uint32_t>(textures_.size());
+    textures_.push_back(std::move(picture).value());
+  } else if (picture.error().code == Errc::not_available) {
+    return picture.error();
+  } else {
+    const bool missing = picture.error().code == Errc::io;
+    diagnostics_.warn(
+        missing ? "texture_missing" : "texture_unreadable", {},
+        "texture " + name + ": " + picture.error().text + "; its material's colour stands in");
+  }
+  known_[name] = number;
+  return number;
+}
+
+Result<Picture> TextureLoader::read(const std::string& name) const {
+  if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str()); embedded != nullptr)
+    return read_embedded(*embedded, name);
+  const std::string path = find_file(name);
+  if (path.empty()) return Error{Errc::io, {}, "there is no such file", {}, name};
+  return read_picture(path, limits_);
+}
+
+Result<Picture> TextureLoader::read_embedded(const aiTexture& texture,
+                                             const std::string& name) const {
+  if (texture.pcData == nullptr)
+    return Error{Errc::malformed, {}, "the embedded picture is empty", {}, name};
+  if (texture.mHeight == 0)  // a whole picture file of mWidth bytes
+    return decode_picture({reinterpret_cast<const uint8_t*>(texture.pcData), texture.mWidth},
+                          name + "." + texture.achFormatHint, limits_);
+  const uint64_t pixels = uint64_t{texture.mWidth} * texture.mHeight;
+  if (pixels == 0 || pixels > limits_.picture_pixels)
+    return Error{Errc::limit_exceeded, {}, "the embedded picture is too large", {}, name};
+  Picture picture(texture.mWidth, texture.mHeight, 4);
+  for (size_t i = 0; i < pixels; ++i) {
+    const aiTexel& texel = texture.pcData[i];
+    const uint8_t rgba[4] = {texel.r, texel.g, texel.b, texel.a};
+    std::copy(rgba, rgba + 4, picture.samples.begin() + static_cast<std::ptrdiff_t>(4 * i));
+  }
+  return picture;
+}
+
+// As named; with slashes for backslashes; as a url; by its last part beside the model, whatever its
+// capitals.
+std::string TextureLoader::find_file(std::string name) const {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  for (const std::string& candidate : {name, percent_decoded(name)}) {
+    const fs::path path = fs::path(folder_) / candidate;  // an absolute name stays as it is
+    if (is_file(path)) return path.string();
+  }
+  const std::string last = fs::path(percent_decoded(name)).filename().string();
+  if (last.empty()) return {};
+  const fs::path folder = folder_.empty() ? fs::path(".") : fs::path(folder_);
+  return find_ignoring_case(folder, last);
+}
+
+}  // namespace afx

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/builder/texture_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+namespace afx {
+namespace {
+
+Picture grey_row(std::initializer_list<uint8_t> values) {
+  Picture picture(static_cast<uint32_t>(values.size()), 1, 1);
+  picture.samples = values;
+  return picture;
+}
+
+float grey_at(const TextureSampler& sampler, double u, Wrap wrap, double area = 1) {
+  return sampler.sample({u, 0.5}, area, wrap, wrap).r;
+}
+
+TEST(TextureSampler, BlendsNeighboursInLinearLight) {
+  const Picture picture = grey_row({0, 255});
+  const TextureSampler sampler(picture);
+  EXPECT_FLOAT_EQ(grey_at(sampler, 0.25, Wrap::clamp), 0);
+  EXPECT_FLOAT_EQ(grey_at(sampler, 0.5, Wrap::clamp), 0.5F);
+  EXPECT_FLOAT_EQ(grey_at(sampler, 0.75, Wrap::clamp), 1);
+}
+
+TEST(TextureSampler, WrapsAsTold) {
+  const Picture picture = grey_row({0, 255, 255, 255});
+  const TextureSampler sampler(picture);
+  EXPECT_FLOAT_EQ(grey_at(sampler, -0.125, Wrap::repeat), 1);  // the last texel
+  EXPECT_FLOAT_EQ(grey_at(sampler, 0, Wrap::repeat), 0.5F);    // between the last and the first
+  EXPECT_FLOAT_EQ(grey_at(sampler, 5.125, Wrap::repeat), 0);
+  EXPECT_FLOAT_EQ(grey_at(sampler, -3, Wrap::clamp), 0);
+  EXPECT_FLOAT_EQ(grey_at(sampler, -0.125, Wrap::mirror), 0);  // the first texel again
+  EXPECT_FLOAT_EQ(grey_at(sampler, 1.875, Wrap::mirror), 0);
+}
+
+TEST(TextureSampler, TakesAnyFiniteCoordinate) {
+  const Picture picture = grey_row({10, 200, 30});
+  const TextureSampler sampler(picture);
+  for (const double u : {1e30, -1e30, 3e38, -0.0, 1e-40})
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+      const float value = sampler.sample({u, -u}, 1, wrap, wrap).r;
+      EXPECT_TRUE(value >= 0 && value <= 1) << u;
+    }
+}
+
+TEST(TextureSampler, OverAllOfItIsTheMeanOfItsLight) {
+  // 85 black and 15 white texels of 10 x 10, sides that are no powers of two: 0.15 of the light.
+  Picture picture(10, 10, 1);
+  for (size_t i = 0; i < 15; ++i) picture.samples[i * 6 + 3] = 255;
+  const TextureSampler sampler(picture);
+  EXPECT_NEAR(sampler.sample({0.3, 0.3}, 1e6, Wrap::repeat, Wrap::repeat).r, 0.15, 1e-3);
+}
+
+TEST(TextureSampler, LooksAtNoAlpha) {
+  Picture picture(1, 1, 4);
+  picture.samples = {255, 0, 255, 0};
+  const glm::vec3 colour = TextureSampler(picture).sample({0, 0}, 1, Wrap::repeat, Wrap::repeat);
+  EXPECT_EQ(colour, glm::vec3(1, 0, 1));
+}
+
+}  // namespace
+}  // namespace afx

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/file.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include "afx/file_test_folder.h"
+
+namespace afx {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::span<const uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
+std::string text_of(const MappedFile& file) { return {file.bytes().begin(), file.bytes().end()}; }
+
+TEST(MappedFile, HoldsTheBytesOfAFile) {
+  const TestFolder folder;
+  const auto file = MappedFile::open(folder.write("a", "hello"));
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(text_of(file.value()), "hello");
+}
+
+TEST(MappedFile, IsEmptyForAnEmptyFile) {
+  const TestFolder folder;
+  const auto file = MappedFile::open(folder.write("a", ""));
+  ASSERT_TRUE(file.ok());
+  EXPECT_TRUE(file.value().bytes().empty());
+}
+
+TEST(MappedFile, SurvivesBeingMoved) {
+  const TestFolder folder;
+  auto first = MappedFile::open(folder.write("a", "first"));
+  auto second = MappedFile::open(folder.write("b", "second"));
+  ASSERT_TRUE(first.ok() && second.ok());
+  MappedFile moved = std::move(first).value();
+  moved = std::move(second).value();
+  EXPECT_EQ(text_of(moved), "second");
+}
+
+TEST(MappedFile, ReadsPipesWhole) {
+  const TestFolder folder;
+  const std::string path = folder.path("pipe");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const std::string text(200000, 'x');  // more than a pipe holds at once
+  std::thread writer([&] {
+    const int fd = ::open(path.c_str(), O_WRONLY);
+    for (size_t at = 0; at < text.size();)
+      at += static_cast<size_t>(::write(fd, text.data() + at, text.size() - at));
+    ::close(fd);
+  });
+  const auto file = MappedFile::open(path);
+  writer.join();
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(text_of(file.value()), text);
+}
+
+TEST(MappedFile, SaysWhyAFileCannotBeOpened) {
+  const TestFolder folder;
+  const auto missing = MappedFile::open(folder.path("no"));
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().code, Errc::io);
+  EXPECT_EQ(missing.error().file, folder.path("no"));
+  EXPECT_THAT(missing.error().text, HasSubstr("No such file"));
+  const auto is_folder = MappedFile::open(folder.path(""));
+  ASSERT_FALSE(is_folder.ok());
+  EXPECT_THAT(is_folder.error().text, HasSubstr("is a folder"));
+}
+
+TEST(MappedFile, KeepsToTheLimit) {
+  const TestFolder folder;
+  Limits limits;
+  limits.file_bytes = 4;
+  EXPECT_TRUE(MappedFile::open(folder.write("a", "1234"), limits).ok());
+  const auto file = MappedFile::open(folder.write("b", "12345"), limits);
+  ASSERT_FALSE(file.ok());
+  EXPECT_EQ(file.error().code, Errc::limit_exceeded);
+  const auto endless = MappedFile::open("/dev/zero", limits);
+  ASSERT_FALSE(endless.ok());
+  EXPECT_EQ(endless.error().code, Errc::limit_exceeded);
+}
+
+TEST(WriteFileAtomically, WritesANewFileAndNothingElse) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_file_atomically(folder.path("a"), bytes_of("text"), false).ok());
+  EXPECT_EQ(folder.read("a"), "text");
+  EXPECT_EQ(folder.count(), 1U);
+}
+
+TEST(WriteFileAtomically, TouchesNoExistingFileUnlessTold) {
+  const TestFolder folder;
+  const std::string path = folder.write("a", "old");
+  const Status status = write_file_atomically(path, bytes_of("new"), false);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, Errc::io);
+  EXPECT_EQ(status.error().text, "exists already (use -f to overwrite)");
+  EXPECT_EQ(status.error().file, path);
+  EXPECT_EQ(folder.read("a"), "old");
+  EXPECT_EQ(folder.count(), 1U);
+  ASSERT_TRUE(write_file_atomically(path, bytes_of("new"), true).ok());
+  EXPECT_EQ(folder.read("a"), "new");
+  EXPECT_EQ(folder.count(), 1U);
+}
+
+TEST(WriteFileAtomically, KeepsPermissionsAndSymbolicLinks) {
+  const TestFolder folder;
+  const std::string path = folder.write("a", "old");
+  ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+  ASSERT_EQ(::symlink(path.c_str(), folder.path("link").c_str()), 0);
+  ASSERT_TRUE(write_file_atomically(folder.path("link"), bytes_of("new"), true).ok());
+  EXPECT_EQ(folder.read("a"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link")));
+  struct stat info {};
+  ASSERT_EQ(::stat(path.c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 0777, 0640U);
+}
+
+TEST(WriteFileAtomically, WritesToDevicesDirectly) {
+  EXPECT_TRUE(write_file_atomically("/dev/null", bytes_of("text"), false).ok());
+  const Status full = write_file_atomically("/dev/full", bytes_of("text"), false);
+  ASSERT_FALSE(full.ok());
+  EXPECT_THAT(full.error().text, HasSubstr("No space left"));
+}
+
+TEST(WriteFileAtomically, NamesTheFolderThatIsNotThere) {
+  const TestFolder folder;
+  const Status status = write_file_atomically(folder.path("no/a"), bytes_of("text"), false);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, Errc::io);
+  EXPECT_EQ(status.error().file, folder.path("no/a"));
+  EXPECT_FALSE(write_file_atomically(folder.path(""), bytes_of("text"), true).ok());
+}
+
+TEST(WriteFileAtomically, TakesTheLongestNames) {
+  const TestFolder folder;
+  const std::string name(255, 'n');
+  ASSERT_TRUE(write_file_atomically(folder.path(name), bytes_of("text"), false).ok());
+  EXPECT_EQ(folder.read(name), "text");
+}
+
+TEST(OutputFiles, AppearTogetherAtCommit) {
+  const TestFolder folder;
+  OutputFiles outputs;
+  ASSERT_TRUE(outputs.put(folder.path("a"), bytes_of("1")).ok());
+  ASSERT_TRUE(outputs.put(folder.path("b"), bytes_of("2")).ok());
+  EXPECT_FALSE(folder.has("a"));
+  ASSERT_TRUE(outputs.commit().ok());
+  EXPECT_EQ(folder.read("a") + folder.read("b"), "12");
+  EXPECT_EQ(folder.count(), 2U);
+}
+
+TEST(OutputFiles, LeaveNothingWithoutCommit) {
+  const TestFolder folder;
+  {
+    OutputFiles outputs;
+    ASSERT_TRUE(outputs.put(folder.path("a"), bytes_of("1")).ok());
+    EXPECT_EQ(folder.count(), 1U);  // under another name
+  }
+  EXPECT_EQ(folder.count(), 0U);
+}
+
+TEST(OutputFiles, AreAllTakenBackIfOneFails) {
+  const TestFolder folder;
+  folder.write("replaced", "old");
+  OutputFiles outputs(true);
+  ASSERT_TRUE(outputs.put(folder.path("new"), bytes_of("1")).ok());
+  ASSERT_TRUE(outputs.put(folder.path("replaced"), bytes_of("2")).ok());
+  ASSERT_TRUE(outputs.put(folder.path("blocked"), bytes_of("3")).ok());
+  std::filesystem::create_directory(folder.path("blocked"));
+  folder.write("blocked/inside", "");  // so that no file can take its place
+  EXPECT_FALSE(outputs.commit().ok());
+  EXPECT_FALSE(folder.has("new"));
+  EXPECT_EQ(folder.read("replaced"), "old");
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path("blocked")));
+  EXPECT_EQ(folder.count(), 2U);
+}
+
+TEST(OutputFiles, SpareAFileThatAppearedMeanwhile) {
+  const TestFolder folder;
+  OutputFiles outputs;
+  ASSERT_TRUE(outputs.put(folder.path("a"), bytes_of("ours")).ok());
+  folder.write("a", "theirs");
+  const Status status = outputs.commit();
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error().text, HasSubstr("exists already"));
+  EXPECT_EQ(folder.read("a"), "theirs");
+  EXPECT_EQ(folder.count(), 1U);
+}
+
+TEST(OutputFiles, RefuseTheSameNameTwice) {
+  const TestFolder folder;
+  OutputFiles outputs;
+  ASSERT_TRUE(outputs.put(folder.path("a"), bytes_of("1")).ok());
+  const Status status = outputs.put(folder.path("a"), bytes_of("2"));
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, Errc::bad_argument);
+}
+
+extern "C" void remove_and_leave(int) {
+  remove_temporary_files();
+  ::_exit(130);
+}
+
+TEST(RemoveTemporaryFiles, LeavesNothingBehindWhenASignalEndsTheProcess) {
+  const TestFolder folder;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ::signal(SIGINT, remove_and_leave);
+    OutputFiles outputs;
+    const bool put = outputs.put(folder.path("a"), bytes_of("1")).ok() &&
+                     outputs.put(folder.path("b"), bytes_of("2")).ok();
+    if (put && folder.count() == 2) ::raise(SIGINT);
+    ::_exit(1);
+  }
+  int state = 0;
+  ASSERT_EQ(::waitpid(child, &state, 0), child);
+  ASSERT_TRUE(WIFEXITED(state));
+  EXPECT_EQ(WEXITSTATUS(state), 130);
+  EXPECT_EQ(folder.count(), 0U);
+}
+
+TEST(RemoveTemporaryFiles, SparesWhatIsCommitted) {
+  const TestFolder folder;
+  OutputFiles kept, lost;
+  ASSERT_TRUE(kept.put(folder.path("a"), bytes_of("1")).ok());
+  ASSERT_TRUE(kept.commit().ok());
+  ASSERT_TRUE(lost.put(folder.path("b"), bytes_of("2")).ok());
+  remove_temporary_files();
+  EXPECT_EQ(folder.count(), 1U);
+  EXPECT_FALSE(lost.commit().ok());
+  EXPECT_EQ(folder.read("a"), "1");
+}
+
+}  // namespace
+}  // namespace afx
