@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/renderer.h"
+#include "render/splat_tiles.h"
+
+namespace afx::render {
+
+/// Draws one tile after another, at n x n samples a pixel. For one thread; holds 20 bytes a sample.
+class TilePainter {
+ public:
+  explicit TilePainter(const RenderOptions& options);
+
+  /// Draws the splats that touch the tile into its part of the image.
+  void paint(const SplatTiles& tiles, uint32_t column, uint32_t row, RenderedImage& image);
+
+ private:
+  /// Weighted colours in linear light, and the sum of the weights.
+  struct Sum {
+    float r = 0, g = 0, b = 0, weight = 0;
+  };
+  /// A place in the tile's samples.
+  struct Row {
+    size_t first = 0, end = 0;  // indices into depths_ and sums_
+    float dx = 0;               // from the splat's centre to the first sample
+    float dy2 = 0;              // squared
+  };
+
+  void clear();
+  void lay_depth(const Splat& splat);
+  void lay_colour(const Splat& splat);
+  template <class Visit>
+  void for_rows(const Splat& splat, const Visit& visit) const;
+  void resolve(uint32_t x, uint32_t y, RenderedImage& image) const;
+  void resolve_pixel(size_t first, uint8_t* pixel, float* depth) const;
+
+  const RenderOptions& options_;
+  size_t side_;                // samples along the side of a tile
+  float left_ = 0, top_ = 0;   // of the tile, in samples
+  std::vector<float> depths_;  // of the nearest disc, row by row; infinite where none is
+  std::vector<Sum> sums_;
+};
+
+}  // namespace afx::render
