@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "afx/builder/model_reader.h"
+#include "afx/builder/octree_builder.h"
+#include "afx/file.h"
+#include "afx/octree_image.h"
+#include "afx/picture_io.h"
+#include "nodes/scene_writer.h"
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "tools/progress_bar.h"
+#include "tools/session.h"
+
+namespace afx::tools {
+namespace {
+
+struct BuildCommand {
+  std::vector<std::string> inputs;
+  std::string output;
+  uint32_t resolution = 256;
+  uint32_t image_size = 0;
+  std::string image_format = "png";
+  int jpeg_quality = 90;
+  std::string up = "y";
+};
+
+/// The scene of a built model, in the input's own coordinates.
+nodes::Scene compose(const BuiltOctree& built, const std::vector<std::string>& pictures) {
+  std::vector<ReferenceImageNode> images;
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    images.push_back({built.model.images[i], pictures[i], kReferenceNearPlane, kReferenceFarPlane});
+  }
+  nodes::Scene scene;
+  const auto transform = scene.add("Transform");
+  const nodes::NodeId octree =
+      add_octree_image(scene, built.model.resolution, built.model.fields, images);
+  const auto side = static_cast<float>(built.statistics.side);
+  // All of it is known to be right: the fields exist and an OctreeImage may stand under a
+  // Transform.
+  (void)scene.set(transform.value(), "translation", glm::vec3(built.statistics.centre));
+  (void)scene.set(transform.value(), "scale", glm::vec3(side));
+  (void)scene.append(transform.value(), "children", octree);
+  scene.add_root(transform.value());
+  return scene;
+}
+
+/// Where a picture goes: beside the scene, with its name in front.
+std::string picture_name(const BuildCommand& command, size_t image) {
+  const std::string stem = std::filesystem::path(command.output).stem().string();
+  return stem + "_" + kReferenceNames[image] + (command.image_format == "jpeg" ? ".jpg" : ".png");
+}
+
+Result<BuiltOctree> build_from_file(const BuildCommand& command, const Session& session,
+                                    Diagnostics& diagnostics) {
+  ProgressBar bar(session.options.progress, session.options.quiet);
+  bar.show("reading", 0);
+  const auto source = read_source_model(command.inputs.front(), session.limits, diagnostics);
+  if (!source.ok()) return source.error();
+  BuildOptions options;
+  options.resolution = command.resolution;
+  options.image_size = command.image_size;
+  options.threads = session.options.threads;
+  options.up = command.up == "z" ? UpAxis::z : UpAxis::y;
+  options.limits = session.limits;
+  options.progress = [&bar](const char* stage, double done) { bar.show(stage, done); };
+  return std::visit([&](const auto& model) { return build_octree(model, options, diagnostics); },
+                    source.value());
+}
+
+void report(const BuildCommand& command, const BuiltOctree& built, uint64_t image_bytes,
+            uint64_t scene_bytes, const Session& session) {
+  const BuildStatistics& s = built.statistics;
+  const size_t images = built.model.images.size();
+  session.say(command.output + ": " + grouped(scene_bytes) + " bytes of scene text");
+  session.say("  voxels: " + grouped(s.voxels) + " at resolution " +
+              std::to_string(built.model.resolution) + ", from " + grouped(s.primitives) +
+              " triangles or points");
+  session.say("  octree: " + grouped(built.model.fields.octree.size()) + " bytes; image indices: " +
+              grouped(built.model.fields.voxel_image_index.size()) + " symbols");
+  session.say(
+      "  images: " + std::to_string(images) + ", " + grouped(image_bytes) + " bytes; they show " +
+      fixed(s.exposed == 0 ? 100
+                           : 100.0 * static_cast<double>(s.seen) / static_cast<double>(s.exposed),
+            1) +
+      " % of the outside, colours at " + fixed(s.psnr, 1) + " dB");
+  session.result({{"output", command.output},
+                  {"sceneBytes", scene_bytes},
+                  {"octreeResolution", built.model.resolution},
+                  {"primitives", s.primitives},
+                  {"voxels", s.voxels},
+                  {"octreeBytes", built.model.fields.octree.size()},
+                  {"voxelImageIndexSymbols", built.model.fields.voxel_image_index.size()},
+                  {"images", images},
+                  {"imageBytes", image_bytes},
+                  {"exposedVoxels", s.exposed},
+                  {"seenVoxels", s.seen},
+                  {"psnr", s.psnr},
+                  {"shaded", s.shaded}});
+}
+
+/// Encodes the pictures and puts everything in; returns an exit code.
+int write(const BuildCommand& command, const BuiltOctree& built, OutputFiles& outputs,
+          const Session& session) {
+  const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
+  std::vector<std::string> names;
+  uint64_t image_bytes = 0;
+  for (size_t i = 0; i < built.model.images.size(); ++i) {
+    names.push_back(picture_name(command, i));
+    const auto bytes = encode_picture(built.model.images[i].picture, command.image_format,
+                                      {.jpeg_quality = command.jpeg_quality});
+    if (!bytes.ok()) return session.fail(bytes.error(), names.back());
+    image_bytes += bytes.value().size();
+    if (session.options.dry_run) continue;
+    if (Status put = outputs.put((folder / names.back()).string(), bytes.value()); !put.ok())
+      return session.fail(put.error());
+  }
+  const nodes::Scene scene = compose(built, names);
+  const std::string text =
+      nodes::write_scene_text(scene, {.vrml_header = !command.output.ends_with(".bt")});
+  if (!session.options.dry_run) {
+    const auto* bytes = reinterpret_cast<const uint8_t*>(text.data());
+    if (Status put = outputs.put(command.output, {bytes, text.size()}); !put.ok())
+      return session.fail(put.error());
+    if (Status done = outputs.commit(); !done.ok()) return session.fail(done.error());
+  }
+  report(command, built, image_bytes, text.size(), session);
+  return kDone;
+}
+
+/// Asks before the long work whether the outputs may be written.
+Status check_outputs(const BuildCommand& command, const OutputFiles& outputs) {
+  const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
+  for (size_t i = 0; i < std::size(kReferenceNames); ++i) {
+    if (Status free = outputs.check((folder / picture_name(command, i)).string()); !free.ok())
+      return free;
+  }
+  return outputs.check(command.output);
+}
+
+int build(const BuildCommand& command, const Session& session) {
+  if (command.inputs.size() > 1)
+    return session.usage("this version builds from one INPUT at a time");
+  if (kind_of_ending(command.output) != Kind::scene_text) {
+    return session.usage("cannot build " + command.output + " (expected -o NAME.wrl or NAME.bt)");
+  }
+  OutputFiles outputs(session.options.overwrite);
+  if (Status free = check_outputs(command, outputs); !free.ok())
+    return session.fail(free.error(), command.output);
+  Diagnostics diagnostics;
+  const auto built = build_from_file(command, session, diagnostics);
+  if (!built.ok()) return session.fail(built.error(), command.inputs.front());
+  if (const int code = session.warn(diagnostics, command.inputs.front()); code != kDone)
+    return code;
+  return write(command, built.value(), outputs, session);
+}
+
+}  // namespace
+
+void add_build(CLI::App& program, Session& session) {
+  auto options = std::make_shared<BuildCommand>();
+  CLI::App* command =
+      program.add_subcommand("build", "Mesh or point cloud -> scene with an OctreeImage");
+  command
+      ->add_option("INPUT", options->inputs,
+                   "Mesh (.obj .ply .gltf .glb .dae .stl ...) or coloured points (.ply)")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "The scene (.wrl .bt); its pictures are written beside it")
+      ->required();
+  command->add_option("--resolution", options->resolution, "Voxels along the longest side")
+      ->check(CLI::Range(1U, kMaxBuildResolution))
+      ->capture_default_str();
+  command
+      ->add_option("--image-size", options->image_size,
+                   "Pixels along a side of the reference images, 0 = as fine as the voxels")
+      ->check(CLI::Range(0U, 4096U))
+      ->capture_default_str();
+  command->add_option("--image-format", options->image_format, "Format of the reference images")
+      ->check(CLI::IsMember({"png", "jpeg"}))
+      ->capture_default_str();
+  command->add_option("--jpeg-quality", options->jpeg_quality, "Quality of JPEG images")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command->add_option("--up", options->up, "Axis of the input that points up")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
+  add_common_options(*command, session, true);
+  command->callback([options, &session] {
+    session.command = "build";
+    session.exit = build(*options, session);
+  });
+}
+
+}  // namespace afx::tools

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "afx/octree_stream.h"
+#include "afx/picture_compare.h"
+#include "afx/picture_io.h"
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "tools/session.h"
+
+namespace afx::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CompareOptions {
+  std::string inputs[2];
+  std::optional<uint32_t> resolution;
+  std::string node;
+};
+
+/// What there is to say of a comparison. different: the exit code is 4.
+struct Verdict {
+  bool different = false;
+  Json json = Json::object();
+  std::string text;
+};
+
+Verdict differ(std::string text, Json json = Json::object()) {
+  json["same"] = false;
+  json["difference"] = text;
+  return {true, std::move(json), std::move(text)};
+}
+
+Verdict same(std::string text, Json json = Json::object()) {
+  json["same"] = true;
+  return {false, std::move(json), std::move(text)};
+}
+
+/// The first place where two byte fields differ, in words; empty where they are the same.
+std::string difference_of(const char* field, const std::vector<uint8_t>& a,
+                          const std::vector<uint8_t>& b) {
+  const auto at = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  if (at.first == a.end() && at.second == b.end()) return {};
+  const auto value = [](auto found, auto end) {
+    return found == end ? std::string("nothing") : std::to_string(*found);
+  };
+  return std::string("field ") + field + " differs at position " +
+         std::to_string(at.first - a.begin()) + ": " + value(at.first, a.end()) + " and " +
+         value(at.second, b.end()) + " (lengths " + std::to_string(a.size()) + " and " +
+         std::to_string(b.size()) + ")";
+}
+
+Verdict compare_octrees(const OctreeStream& a, const OctreeStream& b) {
+  const auto number = [](const char* what, uint64_t x, uint64_t y) {
+    return differ(std::string(what) + " is " + std::to_string(x) + " and " + std::to_string(y));
+  };
+  if (a.resolution != b.resolution) return number("octreeResolution", a.resolution, b.resolution);
+  if (a.textures != b.textures) return number("the number of images", a.textures, b.textures);
+  if (a.frames.size() != b.frames.size())
+    return number("the number of frames", a.frames.size(), b.frames.size());
+  for (size_t i = 0; i < a.frames.size(); ++i) {
+    const OctreeFields& x = a.frames[i];
+    const OctreeFields& y = b.frames[i];
+    std::string text = difference_of("octree", x.octree, y.octree);
+    if (text.empty())
+      text = difference_of("voxelImageIndex", x.voxel_image_index, y.voxel_image_index);
+    if (!text.empty())
+      return differ((a.frames.size() > 1 ? "frame " + std::to_string(i) + ": " : "") + text);
+  }
+  return same("the OctreeImage fields are the same", {{"frames", a.frames.size()}});
+}
+
+Verdict compare_scenes(const nodes::Scene& a, const nodes::Scene& b) {
+  return nodes::equal(a, b) ? same("the scenes are the same") : differ("the scenes differ");
+}
+
+Result<Verdict> compare_two_pictures(const Input& a, const Input& b, const Limits& limits) {
+  const auto first = decode_picture(a.file.bytes(), a.path, limits);
+  if (!first.ok()) return first.error();
+  const auto second = decode_picture(b.file.bytes(), b.path, limits);
+  if (!second.ok()) return second.error();
+  const Picture& x = first.value();
+  const Picture& y = second.value();
+  if (x.width != y.width || x.height != y.height || x.components != y.components) {
+    const auto size = [](const Picture& p) {
+      return std::to_string(p.width) + " x " + std::to_string(p.height) + " x " +
+             std::to_string(p.components);
+    };
+    return differ("the pictures are " + size(x) + " and " + size(y));
+  }
+  const auto difference = compare_pictures(x, y);
+  if (!difference.ok()) return difference.error();
+  const PictureDifference& d = difference.value();
+  Json json{{"differingPixels", d.differing_pixels},
+            {"maxAbs", d.max_abs},
+            {"meanAbs", d.mean_abs},
+            {"ssim", d.ssim}};
+  if (std::isfinite(d.psnr)) json["psnr"] = d.psnr;
+  if (d.differing_pixels == 0) return same("the pictures are the same", json);
+  return differ("the pictures differ in " + grouped(d.differing_pixels) + " pixels: PSNR " +
+                    fixed(d.psnr, 2) + " dB, SSIM " + fixed(d.ssim, 4) + ", greatest difference " +
+                    std::to_string(d.max_abs),
+                json);
+}
+
+/// All frames of a stream, or the one OctreeImage of the others.
+Result<OctreeStream> octrees_of(const Input& input, const CompareOptions& options,
+                                const Session& session, Diagnostics& diagnostics,
+                                bool& missing_is_usage) {
+  if (input.kind == Kind::octree_stream) {
+    OctreeDecodeOptions how{.threads = session.options.threads};
+    how.limits = session.limits;
+    DecodedOctreeStream decoded = decode_octree_stream(input.file.bytes(), how, diagnostics);
+    if (!decoded.status.ok()) return std::move(decoded.status).error();
+    return std::move(decoded.stream);
+  }
+  OctreeQuery query{.node = options.node, .resolution = options.resolution, .frame = {}};
+  auto octree = read_octree(input, query, session.limits, diagnostics);
+  missing_is_usage = query.missing_is_usage;
+  if (!octree.ok()) return std::move(octree).error();
+  OctreeNode& node = octree.value();
+  const uint32_t textures = node.fields.voxel_image_index.empty() ? 0 : node.images;
+  OctreeStream stream{node.resolution, textures, {}};
+  stream.frames.push_back(std::move(node.fields));
+  return stream;
+}
+
+int report(const Verdict& verdict, const Session& session) {
+  if (session.options.json) {
+    session.result(verdict.json);
+  } else {
+    std::cout << verdict.text << '\n';
+  }
+  return verdict.different ? kDifferent : kDone;
+}
+
+int compare_scene_files(const Input& a, const Input& b, const Session& session,
+                        Diagnostics (&diagnostics)[2]) {
+  const auto first = read_scene(a, session.limits, diagnostics[0]);
+  if (!first.ok()) return session.fail(first.error());
+  const auto second = read_scene(b, session.limits, diagnostics[1]);
+  if (!second.ok()) return session.fail(second.error());
+  return report(compare_scenes(first.value(), second.value()), session);
+}
+
+int compare_octree_files(const Input& a, const Input& b, const CompareOptions& options,
+                         const Session& session, Diagnostics (&diagnostics)[2]) {
+  bool missing_is_usage = false;
+  const auto first = octrees_of(a, options, session, diagnostics[0], missing_is_usage);
+  const auto second = first.ok() ? octrees_of(b, options, session, diagnostics[1], missing_is_usage)
+                                 : Result<OctreeStream>(OctreeStream{});
+  if (first.ok() && second.ok())
+    return report(compare_octrees(first.value(), second.value()), session);
+  const int code =
+      first.ok() ? session.fail(second.error(), b.path) : session.fail(first.error(), a.path);
+  return missing_is_usage ? kUsage : code;
+}
+
+int compare(const CompareOptions& options, const Session& session) {
+  Diagnostics diagnostics[2];
+  const auto a = open_input(options.inputs[0], {}, session.limits, diagnostics[0]);
+  if (!a.ok()) return session.fail(a.error());
+  const auto b = open_input(options.inputs[1], {}, session.limits, diagnostics[1]);
+  if (!b.ok()) return session.fail(b.error());
+  int code = kDone;
+  const bool pictures = a.value().kind == Kind::picture;
+  if (pictures != (b.value().kind == Kind::picture)) {
+    return session.usage("cannot compare a picture with " +
+                         std::string(describe(pictures ? b.value().kind : a.value().kind)));
+  }
+  if (pictures) {
+    const auto verdict = compare_two_pictures(a.value(), b.value(), session.limits);
+    code = verdict.ok() ? report(verdict.value(), session)
+                        : session.fail(verdict.error(), options.inputs[0]);
+  } else if (a.value().kind == Kind::scene_text && b.value().kind == Kind::scene_text &&
+             options.node.empty()) {
+    code = compare_scene_files(a.value(), b.value(), session, diagnostics);
+  } else {
+    code = compare_octree_files(a.value(), b.value(), options, session, diagnostics);
+  }
+  for (int i = 0; i < 2; ++i) {
+    const int warned = session.warn(diagnostics[i], options.inputs[i]);
+    if (code == kDone) code = warned;
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Session& session) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = program.add_subcommand(
+      "compare", "Are two files the same model or picture; exit code 4 if not");
+  command
+      ->add_option("A", options->inputs[0],
+                   "Scene text, stream (.afx), raw octree (.oct) or picture")
+      ->required();
+  command
+      ->add_option("B", options->inputs[1],
+                   "The other; two scenes are compared whole, anything else by OctreeImage fields")
+      ->required();
+  command->add_option("--resolution", options->resolution, "octreeResolution of raw octrees")
+      ->check(CLI::Range(1U, 2147483647U));
+  command->add_option("--node", options->node, "DEF name of the OctreeImage to compare");
+  add_common_options(*command, session, false);
+  command->callback([options, &session] {
+    session.command = "compare";
+    session.exit = compare(*options, session);
+  });
+}
+
+}  // namespace afx::tools

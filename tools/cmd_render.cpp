@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <chrono>
+#include <glm/trigonometric.hpp>
+#include <list>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "afx/file.h"
+#include "afx/octree_colours.h"
+#include "afx/picture_io.h"
+#include "nodes/traversal.h"
+#include "render/renderer.h"
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "tools/session.h"
+
+namespace afx::tools {
+namespace {
+
+struct RenderCommand {
+  std::string input;
+  std::string output;
+  std::string format;
+  std::string input_format;
+  std::optional<uint32_t> resolution;
+  std::optional<uint32_t> frame;
+  unsigned level = 32;
+  std::string size = "1024x1024";
+  std::string background;
+  double azimuth = 0;
+  double elevation = 0;
+  double field_of_view = 0;
+  double margin = 0;
+  bool orthographic = false;
+  unsigned samples = 3;
+  int jpeg_quality = 90;
+};
+
+/// Coloured voxels with the matrix that places them. In a list, because clouds point into them.
+struct Drawn {
+  std::list<ColouredVoxels> voxels;
+  render::Scene scene;
+};
+
+Status draw(const OctreeModel& model, const glm::dmat4& to_world, const RenderCommand& command,
+            const Session& session, Diagnostics& diagnostics, Drawn& drawn) {
+  const unsigned level = std::min(command.level, octree_levels(model.resolution));
+  auto coloured = colour_octree(model, level, session.options.threads, session.limits, diagnostics);
+  if (!coloured.ok()) return std::move(coloured).error();
+  drawn.voxels.push_back(std::move(coloured).value());
+  const ColouredVoxels& voxels = drawn.voxels.back();
+  drawn.scene.voxels.push_back({voxels.level, voxels.codes, voxels.colours, to_world});
+  return {};
+}
+
+Status draw_scene(const Input& input, const RenderCommand& command, const Session& session,
+                  Diagnostics& diagnostics, Drawn& drawn) {
+  const auto scene = read_scene(input, session.limits, diagnostics);
+  if (!scene.ok()) return scene.error();
+  const auto objects = nodes::find_dibr_objects(scene.value());
+  if (!objects.ok()) return objects.error();
+  size_t left_out = 0;
+  for (const nodes::DibrObject& object : objects.value()) {
+    if (object.kind != nodes::DibrObject::Kind::octree_image) {
+      left_out += object.nodes.size();
+      continue;
+    }
+    const auto model =
+        read_octree_model(object.nodes.front(), input.folder(), session.limits, diagnostics);
+    if (!model.ok()) return model.error();
+    if (Status done = draw(model.value(), object.to_world, command, session, diagnostics, drawn);
+        !done.ok())
+      return done;
+  }
+  if (left_out > 0) {
+    diagnostics.warn(
+        "not_drawn", Place::none(),
+        std::to_string(left_out) + " DepthImages are left out: this version draws OctreeImages");
+  }
+  if (drawn.voxels.empty()) {
+    return Error{Errc::malformed, Place::none(),
+                 "the scene shows nothing to draw (expected an OctreeImage)"};
+  }
+  return {};
+}
+
+Status draw_octree(const Input& input, const RenderCommand& command, const Session& session,
+                   Diagnostics& diagnostics, Drawn& drawn, bool& missing_is_usage) {
+  OctreeQuery query{.node = {}, .resolution = command.resolution, .frame = command.frame};
+  auto octree = read_octree(input, query, session.limits, diagnostics);
+  missing_is_usage = query.missing_is_usage;
+  if (!octree.ok()) return std::move(octree).error();
+  OctreeModel model{octree.value().resolution, std::move(octree.value().fields), {}};
+  if (octree.value().images > 0) {
+    diagnostics.warn("no_pictures", Place::none(),
+                     "a stream alone has no pictures: the model is drawn grey");
+    model.fields.voxel_image_index.clear();
+  }
+  return draw(model, glm::dmat4(1), command, session, diagnostics, drawn);
+}
+
+/// "640x480".
+bool parse_size(const std::string& text, uint32_t& width, uint32_t& height) {
+  const char* end = text.data() + text.size();
+  const auto w = std::from_chars(text.data(), end, width);
+  if (w.ec != std::errc() || w.ptr == end || *w.ptr != 'x') return false;
+  const auto h = std::from_chars(w.ptr + 1, end, height);
+  const auto fits = [](uint32_t side) { return side >= 1 && side <= render::kMaxSide; };
+  return h.ec == std::errc() && h.ptr == end && fits(width) && fits(height);
+}
+
+/// "#rrggbb", "#rrggbbaa", "transparent", "white" or "black".
+bool parse_colour(const std::string& text, Rgba8& colour) {
+  if (text == "transparent") colour = {0, 0, 0, 0};
+  if (text == "white") colour = {255, 255, 255, 255};
+  if (text == "black") colour = {0, 0, 0, 255};
+  if (text == "transparent" || text == "white" || text == "black") return true;
+  uint32_t value = 0;
+  if (text.size() != 7 && text.size() != 9) return false;
+  const auto parsed = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
+  if (text[0] != '#' || parsed.ec != std::errc() || parsed.ptr != text.data() + text.size())
+    return false;
+  if (text.size() == 7) value = value << 8 | 0xff;
+  colour = {static_cast<uint8_t>(value >> 24), static_cast<uint8_t>(value >> 16),
+            static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
+  return true;
+}
+
+Picture without_alpha(const Picture& picture) {
+  Picture rgb(picture.width, picture.height, 3);
+  for (size_t i = 0; i < size_t{picture.width} * picture.height; ++i) {
+    for (size_t k = 0; k < 3; ++k) rgb.samples[i * 3 + k] = picture.samples[i * 4 + k];
+  }
+  return rgb;
+}
+
+Result<render::RenderedImage> render_drawn(const Drawn& drawn, const RenderCommand& command,
+                                           const render::RenderOptions& options,
+                                           const Limits& limits) {
+  render::View view;
+  view.azimuth = glm::radians(command.azimuth);
+  view.elevation = glm::radians(command.elevation);
+  view.field_of_view = glm::radians(command.field_of_view);
+  view.margin = command.margin;
+  if (command.orthographic) view.projection = render::Projection::orthographic;
+  const auto camera = render::fit_camera(render::outline(drawn.scene), view,
+                                         double{1} * options.width / options.height);
+  if (!camera.ok()) return camera.error();
+  return render::render(drawn.scene, camera.value(), options, limits);
+}
+
+int read_options(const RenderCommand& command, const std::string& format, const Session& session,
+                 render::RenderOptions& options) {
+  if (!parse_size(command.size, options.width, options.height)) {
+    return session.usage("--size is " + command.size + " (expected WIDTHxHEIGHT, each 1.." +
+                         std::to_string(render::kMaxSide) + ")");
+  }
+  const bool opaque = format == "jpeg";
+  const std::string background =
+      command.background.empty() ? (opaque ? "white" : "transparent") : command.background;
+  if (!parse_colour(background, options.background)) {
+    return session.usage("--background is " + background +
+                         " (expected #rrggbb, #rrggbbaa, white, black or transparent)");
+  }
+  if (opaque && options.background.a != 255)
+    return session.usage("JPEG has no transparency (expected an opaque --background)");
+  options.samples = command.samples;
+  options.threads = session.options.threads;
+  return kDone;
+}
+
+int run_render(const RenderCommand& command, const Session& session) {
+  const std::string format =
+      picture_format_of(command.format.empty() ? command.output : "x." + command.format);
+  if (format.empty())
+    return session.usage("cannot render to " + command.output +
+                         " (expected a picture such as .png, or --format)");
+  render::RenderOptions options;
+  if (const int code = read_options(command, format, session, options); code != kDone) return code;
+  OutputFiles outputs(session.options.overwrite);
+  if (Status free = outputs.check(command.output); !free.ok())
+    return session.fail(free.error(), command.output);
+
+  Diagnostics diagnostics;
+  const auto input = open_input(command.input, command.input_format, session.limits, diagnostics);
+  if (!input.ok()) return session.fail(input.error());
+  Drawn drawn;
+  bool missing_is_usage = false;
+  const Status read =
+      input.value().kind == Kind::scene_text
+          ? draw_scene(input.value(), command, session, diagnostics, drawn)
+          : draw_octree(input.value(), command, session, diagnostics, drawn, missing_is_usage);
+  if (!read.ok()) {
+    const int code = session.fail(read.error(), command.input);
+    return missing_is_usage ? kUsage : code;
+  }
+  if (const int code = session.warn(diagnostics, command.input); code != kDone) return code;
+
+  const auto start = std::chrono::steady_clock::now();
+  const auto image = render_drawn(drawn, command, options, session.limits);
+  if (!image.ok()) return session.fail(image.error(), command.input);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const Picture& picture = image.value().picture;
+  const auto bytes = encode_picture(format == "jpeg" ? without_alpha(picture) : picture, format,
+                                    {.jpeg_quality = command.jpeg_quality});
+  if (!bytes.ok()) return session.fail(bytes.error(), command.output);
+  uint64_t voxels = 0;
+  for (const ColouredVoxels& cloud : drawn.voxels) voxels += cloud.codes.size();
+  session.say(command.output + ": " + std::to_string(options.width) + " x " +
+              std::to_string(options.height) + ", " + grouped(voxels) + " voxels" +
+              (session.options.verbose ? " drawn in " + fixed(seconds * 1000, 1) + " ms" : ""));
+  if (command.output != "-") {
+    session.result({{"output", command.output},
+                    {"width", options.width},
+                    {"height", options.height},
+                    {"voxels", voxels}});
+  }
+  if (session.options.dry_run) return kDone;
+  if (Status put = outputs.put(command.output, bytes.value()); !put.ok())
+    return session.fail(put.error(), command.output);
+  if (Status done = outputs.commit(); !done.ok()) return session.fail(done.error(), command.output);
+  return kDone;
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, Session& session) {
+  auto options = std::make_shared<RenderCommand>();
+  const render::View view;
+  options->azimuth = glm::degrees(view.azimuth);
+  options->elevation = glm::degrees(view.elevation);
+  options->field_of_view = glm::degrees(view.field_of_view);
+  options->margin = view.margin;
+  CLI::App* command = program.add_subcommand("render", "Scene, stream or raw octree -> picture");
+  command
+      ->add_option("IN", options->input,
+                   "Scene text, stream (.afx) or raw octree (.oct); - = standard input")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "The picture (.png .jpg ...); - = standard output")
+      ->required();
+  command->add_option("--format", options->format,
+                      "Kind of the output where its name does not tell: png, jpeg, ...");
+  command->add_option("--input-format", options->input_format,
+                      "Kind of the input: wrl, bt, afx or oct");
+  command->add_option("--resolution", options->resolution, "octreeResolution of a raw octree")
+      ->check(CLI::Range(1U, 2147483647U));
+  command->add_option("--frame", options->frame, "Frame of a stream, counted from 0");
+  command->add_option("--level", options->level, "Draw the coarser octree of so many levels")
+      ->check(CLI::Range(0U, 32U));
+  command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+  command->add_option(
+      "--background", options->background,
+      "#rrggbb, #rrggbbaa, white, black or transparent (default: transparent, white for JPEG)");
+  command->add_flag("--orthographic", options->orthographic, "Parallel projection");
+  command
+      ->add_option("--azimuth", options->azimuth,
+                   "Degrees to the right of the front that the camera stands")
+      ->capture_default_str();
+  command
+      ->add_option("--elevation", options->elevation,
+                   "Degrees above the horizon that the camera stands")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->capture_default_str();
+  command->add_option("--fov", options->field_of_view, "Full vertical angle of view in degrees")
+      ->check(CLI::Range(0.1, 170.0))
+      ->capture_default_str();
+  command->add_option("--margin", options->margin, "Free border, as a part of the picture")
+      ->check(CLI::Range(0.0, 0.45))
+      ->capture_default_str();
+  command
+      ->add_option("--samples", options->samples,
+                   "Samples along a side of a pixel: smoothness of the edges")
+      ->check(CLI::Range(1U, 8U))
+      ->capture_default_str();
+  command->add_option("--jpeg-quality", options->jpeg_quality, "Quality of a JPEG picture")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  add_common_options(*command, session, true);
+  command->callback([options, &session] {
+    session.command = "render";
+    session.exit = run_render(*options, session);
+  });
+}
+
+}  // namespace afx::tools

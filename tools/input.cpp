@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "tools/input.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "afx/octree_stream.h"
+#include "afx/picture_io.h"
+#include "codec/octree_voxels.h"
+#include "nodes/scene_reader.h"
+
+namespace afx::tools {
+namespace {
+
+struct Ending {
+  const char* ending;
+  Kind kind;
+};
+
+constexpr Ending kEndings[] = {
+    {"wrl", Kind::scene_text}, {"bt", Kind::scene_text}, {"afx", Kind::octree_stream},
+    {"oct", Kind::raw_octree}, {"obj", Kind::model},     {"ply", Kind::model},
+    {"gltf", Kind::model},     {"glb", Kind::model},     {"dae", Kind::model},
+    {"stl", Kind::model},      {"fbx", Kind::model},     {"3ds", Kind::model},
+    {"x3d", Kind::model},      {"off", Kind::model},     {"mp4", Kind::not_yet},
+    {"bifs", Kind::not_yet},   {"xmt", Kind::not_yet},   {"json", Kind::not_yet},
+};
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return ending;
+}
+
+bool looks_like_vrml(std::span<const uint8_t> bytes) {
+  constexpr std::string_view header = "#VRML";
+  return bytes.size() >= header.size() && std::equal(header.begin(), header.end(), bytes.begin());
+}
+
+Kind kind_of_content(std::span<const uint8_t> bytes) {
+  if (looks_like_octree_stream(bytes)) return Kind::octree_stream;
+  if (looks_like_vrml(bytes)) return Kind::scene_text;
+  if (!picture_format_of_content(bytes).empty()) return Kind::picture;
+  return Kind::unknown;
+}
+
+Error with_file(Error error, const std::string& path) {
+  if (error.file.empty()) error.file = path;
+  return error;
+}
+
+/// Octree fields of a stream: the only frame, or the one asked for.
+Result<OctreeNode> read_stream(const Input& input, OctreeQuery& query, const Limits& limits,
+                               Diagnostics& diagnostics) {
+  OctreeDecodeOptions options{.frame = query.frame};
+  options.limits = limits;
+  DecodedOctreeStream decoded = decode_octree_stream(input.file.bytes(), options, diagnostics);
+  if (!decoded.status.ok()) {
+    query.missing_is_usage = decoded.status.error().code == Errc::bad_argument;
+    return std::move(decoded.status).error();
+  }
+  if (decoded.stream.frames.size() > 1) {
+    query.missing_is_usage = true;
+    return Error{Errc::bad_argument, Place::none(),
+                 "the stream has " + std::to_string(decoded.stream.frames.size()) +
+                     " frames (expected --frame K)"};
+  }
+  return OctreeNode{decoded.stream.resolution, decoded.stream.textures,
+                    std::move(decoded.stream.frames[0])};
+}
+
+Result<OctreeNode> read_raw(const Input& input, OctreeQuery& query, const Limits& limits) {
+  if (!query.resolution) {
+    query.missing_is_usage = true;
+    return Error{Errc::bad_argument, Place::none(),
+                 "a raw octree does not tell its size (expected --resolution N)"};
+  }
+  OctreeNode octree;
+  octree.resolution = *query.resolution;
+  const std::span<const uint8_t> bytes = input.file.bytes();
+  const auto counts = codec::octree_level_counts(bytes, octree_levels(octree.resolution), limits);
+  if (!counts.ok()) return counts.error();
+  octree.fields.octree.assign(bytes.begin(), bytes.end());
+  return octree;
+}
+
+}  // namespace
+
+Kind kind_of_format(const std::string& format) {
+  for (const Ending& entry : kEndings) {
+    if (format == entry.ending) return entry.kind;
+  }
+  return picture_format_of("x." + format).empty() ? Kind::unknown : Kind::picture;
+}
+
+Kind kind_of_ending(const std::string& path) { return kind_of_format(ending_of(path)); }
+
+const char* describe(Kind kind) {
+  switch (kind) {
+    case Kind::scene_text:
+      return "scene text";
+    case Kind::octree_stream:
+      return "an OctreeImage stream";
+    case Kind::raw_octree:
+      return "a raw octree";
+    case Kind::picture:
+      return "a picture";
+    case Kind::model:
+      return "a mesh or point cloud";
+    case Kind::not_yet:
+      return "of a kind that this version does not know yet";
+    case Kind::unknown:
+      break;
+  }
+  return "of an unknown kind";
+}
+
+Error not_in_this_version(const std::string& path) {
+  return {Errc::not_available,
+          Place::none(),
+          std::string("is ") + describe(Kind::not_yet) +
+              " (MP4, BIFS, XMT and JSON are for a later one)",
+          {},
+          path};
+}
+
+std::string Input::folder() const {
+  return path == "-" ? std::string() : std::filesystem::path(path).parent_path().string();
+}
+
+Result<Input> open_input(const std::string& path, const std::string& input_format,
+                         const Limits& limits, Diagnostics& diagnostics) {
+  auto file = MappedFile::open(path, limits);
+  if (!file.ok()) return with_file(std::move(file).error(), path);
+  Input input{path, Kind::unknown, std::move(file).value()};
+  if (!input_format.empty()) {
+    input.kind = kind_of_format(input_format);
+    return input;
+  }
+  const Kind ending = kind_of_ending(path);
+  const Kind content =
+      ending == Kind::raw_octree ? Kind::raw_octree : kind_of_content(input.file.bytes());
+  input.kind = content == Kind::unknown ? ending : content;
+  if (content != Kind::unknown && ending != Kind::unknown && content != ending) {
+    diagnostics.warn("wrong_ending", Place::none(),
+                     std::string("is ") + describe(content) + ", whatever its ending says");
+  }
+  if (input.kind == Kind::not_yet) return not_in_this_version(path);
+  if (input.kind == Kind::unknown) {
+    return Error{Errc::malformed,
+                 Place::none(),
+                 "neither content nor ending tells what this is (expected .wrl, .bt, .afx, .oct, a "
+                 "picture, or "
+                 "--input-format)",
+                 {},
+                 path};
+  }
+  return input;
+}
+
+Result<nodes::Scene> read_scene(const Input& input, const Limits& limits,
+                                Diagnostics& diagnostics) {
+  const std::span<const uint8_t> bytes = input.file.bytes();
+  auto scene = nodes::read_scene_text({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                                      limits, diagnostics);
+  if (!scene.ok()) return with_file(std::move(scene).error(), input.path);
+  return scene;
+}
+
+Result<nodes::NodeView> pick_octree_image(const nodes::Scene& scene, OctreeQuery& query) {
+  const std::vector<nodes::NodeView> images = find_octree_images(scene);
+  std::string list;
+  for (const nodes::NodeView& view : images) {
+    if (!query.node.empty() && view.node().name == query.node) return view;
+    list += (list.empty() ? "" : ", ") + view.label();
+  }
+  if (!query.node.empty()) {
+    query.missing_is_usage = true;
+    return Error{Errc::bad_argument, Place::none(),
+                 "there is no OctreeImage named " + query.node +
+                     (list.empty() ? "" : " (there are " + list + ")")};
+  }
+  if (images.size() == 1) return images.front();
+  if (images.empty())
+    return Error{Errc::malformed, Place::none(), "the scene has no OctreeImage (expected one)"};
+  return Error{Errc::malformed, Place::none(),
+               "the scene has " + std::to_string(images.size()) + " OctreeImages: " + list +
+                   " (expected --node NAME)"};
+}
+
+Result<OctreeNode> read_octree(const Input& input, OctreeQuery& query, const Limits& limits,
+                               Diagnostics& diagnostics) {
+  const auto read = [&]() -> Result<OctreeNode> {
+    if (input.kind == Kind::octree_stream) return read_stream(input, query, limits, diagnostics);
+    if (input.kind == Kind::raw_octree) return read_raw(input, query, limits);
+    if (input.kind != Kind::scene_text) {
+      return Error{
+          Errc::unsupported, Place::none(),
+          std::string("is ") + describe(input.kind) + " (expected scene text, .afx or .oct)"};
+    }
+    const auto scene = read_scene(input, limits, diagnostics);
+    if (!scene.ok()) return scene.error();
+    const auto view = pick_octree_image(scene.value(), query);
+    if (!view.ok()) return view.error();
+    return read_octree_node(view.value(), input.folder(), limits, diagnostics);
+  };
+  auto octree = read();
+  if (!octree.ok()) return with_file(std::move(octree).error(), input.path);
+  return octree;
+}
+
+}  // namespace afx::tools
