@@ -12,6 +12,7 @@
 
 #include "afx/builder/exposure.h"
 #include "afx/builder/index_choice.h"
+#include "afx/builder/local_mean.h"
 #include "afx/builder/reference_views.h"
 #include "afx/builder/voxelize.h"
 #include "afx/voxel_blocks.h"
@@ -27,6 +28,10 @@ constexpr uint32_t kMaxImageSize = 4096;
 // How the colour difference of a voxel becomes a cost: the squared difference, and more than that
 // once it can be seen, so that a single wrong voxel is never cheaper than a few symbols.
 constexpr double kVisible = 40;
+// A pixel unlike its neighbours, at a silhouette or where the surface is seen from the side,
+// suffers when the picture is coded with loss or smoothed: another image that shows the voxel is
+// better.
+constexpr double kRough = 0.02;
 // Among images that show the same, the one that the surface faces: only a hint, a million voxels of
 // it weigh less than a symbol.
 constexpr double kFacing = 1e-5;
@@ -120,27 +125,33 @@ class ModelBuilder {
     parallel_for(kReferenceViews, options_.threads, [this](size_t view) {
       built_.model.images[view].picture =
           draw_view(views_[view], coordinates_, voxels_.colours, seen_[view]);
+      means_[view] = local_mean(built_.model.images[view].picture);
     });
   }
 
-  // Squared difference, in sRGB, of what image `view` gives to voxel i and the voxel's colour.
-  [[nodiscard]] int difference(size_t i, unsigned view) const {
+  // Squared difference, in sRGB, of the pixel that voxel i has in view `view` of some pictures, and
+  // its colour.
+  [[nodiscard]] int difference(size_t i, unsigned view, const Picture& picture) const {
     const ReferenceView::Pixel at = views_[view].pixel(coordinates_[i]);
-    const uint8_t* shown = built_.model.images[view].picture.pixel(at.x, at.y);
+    const uint8_t* shown = picture.pixel(at.x, at.y);
     const Rgba8 own = voxels_.colours[i];
     const int r = shown[0] - own.r, g = shown[1] - own.g, b = shown[2] - own.b;
     return r * r + g * g + b * b;
+  }
+  [[nodiscard]] const Picture& picture(unsigned view) const {
+    return built_.model.images[view].picture;
   }
 
   [[nodiscard]] ChoiceCosts costs(size_t i) const {
     ChoiceCosts result;
     for (unsigned view = 0; view < kReferenceViews; ++view) {
-      const double squared = difference(i, view);
+      const double squared = difference(i, view, picture(view));
+      const double rough = difference(i, view, means_[view]);
       const double facing = 1 - glm::dot(voxels_.normals[i], direction_to_camera(view));
       const double unseen = seen_[view][i] != 0 ? 0 : 2;
       const double weight = exposed_[i] != 0 ? 1 : kHiddenWeight;
-      result.of[view] =
-          weight * (squared + squared * squared / kVisible) + kFacing * (facing + unseen);
+      result.of[view] = weight * (squared + squared * squared / kVisible + kRough * rough) +
+                        kFacing * (facing + unseen);
     }
     return result;
   }
@@ -154,7 +165,7 @@ class ModelBuilder {
       if (exposed_[i] == 0) continue;
       const unsigned view = choice_[i] - 1U;
       ++statistics.exposed;
-      sum += difference(i, view);
+      sum += difference(i, view, picture(view));
       const uint32_t worst = worst_component(i, view);
       statistics.worst = std::max(statistics.worst, worst);
       if (worst > kOff) ++statistics.off;
@@ -182,6 +193,7 @@ class ModelBuilder {
   std::vector<Voxel> coordinates_;
   std::vector<ReferenceView> views_;
   std::vector<uint8_t> seen_[kReferenceViews];
+  Picture means_[kReferenceViews];  // of each picture, local means
   std::vector<uint8_t> exposed_;
   std::vector<uint8_t> choice_;
   BuiltOctree built_;
