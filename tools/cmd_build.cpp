@@ -11,6 +11,7 @@
 #include "afx/octree_image.h"
 #include "afx/picture_io.h"
 #include "nodes/scene_writer.h"
+#include "tools/abort_guard.h"
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/progress_bar.h"
@@ -59,7 +60,10 @@ Result<BuiltOctree> build_from_file(const BuildCommand& command, const Session& 
                                     Diagnostics& diagnostics) {
   ProgressBar bar(session.options.progress, session.options.quiet);
   bar.show("reading", 0);
-  const auto source = read_source_model(command.inputs.front(), session.limits, diagnostics);
+  const auto source = [&] {
+    const AbortGuard guard(command.inputs.front());
+    return read_source_model(command.inputs.front(), session.limits, diagnostics);
+  }();
   if (!source.ok()) return source.error();
   BuildOptions options;
   options.resolution = command.resolution;

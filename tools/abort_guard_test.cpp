@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "tools/abort_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace afx::tools {
+namespace {
+
+TEST(AbortGuard, TurnsAnAbortIntoOneLineAndExitThree) {
+  EXPECT_EXIT(
+      {
+        const AbortGuard guard("bad.obj");
+        std::abort();
+      },
+      testing::ExitedWithCode(3), "^afx: bad.obj: cannot be imported");
+}
+
+TEST(AbortGuard, IsGoneWithItsScope) {
+  EXPECT_EXIT(
+      {
+        { const AbortGuard guard("bad.obj"); }
+        std::abort();
+      },
+      testing::KilledBySignal(6), "");
+}
+
+}  // namespace
+}  // namespace afx::tools
