@@ -126,7 +126,7 @@ void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) const {
   const uint32_t y_end = std::min(y + kTile, options_.height);
   for (uint32_t py = y; py < y_end; ++py) {
     for (uint32_t px = x; px < x_end; ++px) {
-      const size_t first = (py - y) * options_.samples * side_ + (px - x) * options_.samples;
+      const size_t first = (size_t{py - y} * side_ + (px - x)) * options_.samples;
       float* depth = image.depth.empty() ? nullptr : &image.depth[size_t{py} * options_.width + px];
       resolve_pixel(first, image.picture.pixel(px, py), depth);
     }
