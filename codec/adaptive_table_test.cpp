@@ -57,7 +57,7 @@ TEST(AdaptiveTable, HasTheSumsOfTheTextThroughManyHalvings) {
 }
 
 TEST(AdaptiveTable, HoldsAnyNumberOfTextureSymbols) {
-  for (const size_t symbols : {2, 3, 15, 16, 17, 127, 128})
+  for (const size_t symbols : std::initializer_list<size_t>{2, 3, 15, 16, 17, 127, 128})
     compare_with_model(symbols, 32, 512, 500);
 }
 

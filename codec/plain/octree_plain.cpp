@@ -81,10 +81,9 @@ struct Interval {
 class Encoder {
  public:
   void encode(Table& table, size_t symbol) {
-    const uint32_t next =
-        std::accumulate(table.frequency.begin() + static_cast<ptrdiff_t>(symbol) + 1,
-                        table.frequency.end(), uint32_t{0});
-    at_.narrow(next + table.frequency[symbol], next, table.total);
+    uint32_t cum = table.total;
+    for (size_t s = 0; s < symbol; ++s) cum -= table.frequency[s];
+    at_.narrow(cum, cum - table.frequency[symbol], table.total);
     for (;; at_.low = 2 * at_.low, at_.high = 2 * at_.high + 1) {
       if (at_.high < kQ2) {
         put(0);
@@ -135,10 +134,10 @@ class Decoder {
   size_t decode(Table& table) {
     const uint32_t length = at_.high - at_.low + 1;
     const uint32_t target = ((code_ - at_.low + 1) * table.total - 1) / length;
-    size_t symbol = table.frequency.size() - 1;
-    uint32_t next = 0;
-    while (next + table.frequency[symbol] <= target) next += table.frequency[symbol--];
-    at_.narrow(next + table.frequency[symbol], next, table.total);
+    size_t symbol = 0;
+    uint32_t cum = table.total;
+    while (cum - table.frequency[symbol] > target) cum -= table.frequency[symbol++];
+    at_.narrow(cum, cum - table.frequency[symbol], table.total);
     renormalise();
     table.count(symbol);
     return symbol;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // A plain coder for octree frames, as the text reads: a list of nodes for each level, tables of
-// frequencies searched from the top, renormalisation bit by bit. It is the truth that the fast
-// coder is tested and measured against, and part of no library.
+// frequencies with a running total that are searched one by one, renormalisation bit by bit. It is
+// the truth that the fast coder is tested and measured against, and part of no library.
 #pragma once
 
 #include <cstdint>
