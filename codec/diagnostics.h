@@ -15,6 +15,7 @@ struct Warning {
   std::string code;  ///< stable name for programs, e.g. "trailing_bytes"
   Place place;
   std::string text;
+  std::string file = {};  ///< the file it is about, where that is another than the input itself
 };
 
 /// Collects warnings. The first kKept are kept with their text, all are counted: a hostile file
@@ -24,8 +25,9 @@ class Diagnostics {
   static constexpr size_t kKept = 100;
 
   void warn(std::string code, Place place, std::string text);
-  /// Adds the warnings of another collection, in order.
-  void append(const Diagnostics& other);
+  /// Adds the warnings of another collection, in order; `file` is what those are about that name
+  /// none.
+  void append(const Diagnostics& other, const std::string& file = {});
 
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
   [[nodiscard]] uint64_t count() const { return count_; }  ///< kept or not

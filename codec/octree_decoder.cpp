@@ -188,18 +188,20 @@ uint8_t FrameDecoder::decode_checked(AdaptiveTable& table, const uint8_t* map) {
 }
 
 void FrameDecoder::fail_truncated() {
+  const Place place = Place::at_byte(options_.base_byte + data_bytes_);
   const uint64_t nodes = nodes_known_ - (walk_.level() == options_.levels ? walk_.nodes() : 0);
   if (nodes == 0 && options_.textures == 0) {
-    frame_.status = Error{Errc::truncated, Place::at_byte(options_.base_byte + data_bytes_),
+    frame_.status = Error{Errc::truncated, place,
                           "the data end where the octree frame begins (expected its 2 bits)"};
     return;
   }
+  const uint64_t number = symbols() + 1;
+  const uint64_t known = std::max(number, nodes + frame_.texture_symbols);  // with the one at hand
   frame_.status =
-      Error{Errc::truncated, Place::at_byte(options_.base_byte + data_bytes_),
-            "the data end inside the octree frame, at symbol " + std::to_string(symbols() + 1) +
-                " of " + std::to_string(nodes + frame_.texture_symbols) + " known so far (" +
-                std::to_string(nodes) + " nodes, " + std::to_string(frame_.texture_symbols) +
-                " image indices)"};
+      Error{Errc::truncated, place,
+            "the data end inside the octree frame, at symbol " + std::to_string(number) + " of " +
+                std::to_string(known) + " known so far (" + std::to_string(nodes) + " nodes, " +
+                std::to_string(known - nodes) + " image indices)"};
 }
 
 void FrameDecoder::reserve_level() {

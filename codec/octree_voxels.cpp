@@ -45,7 +45,8 @@ constexpr std::array<std::array<T, 8>, 256> child_rows() {
   return rows;
 }
 constexpr auto kChildren = child_rows<uint64_t>();
-constexpr size_t kSlack = 8;  // entries that storing a whole row may write behind a node without children
+constexpr size_t kSlack =
+    8;  // entries that storing a whole row may write behind a node without children
 
 Error too_few_bytes(size_t have, uint64_t start, uint64_t count, unsigned level) {
   return {Errc::bad_argument, Place::none(),

@@ -98,9 +98,9 @@ TEST_P(OctreeVector, IsEncodedFromItsFields) {
   }
 }
 
-TEST_P(OctreeVector, EveryTruncationIsOneClearErrorAndTheLevelsThatAreWhole) {
+TEST_P(OctreeVector, EveryTruncationIsOneClearErrorAndNeverAWrongSymbol) {
   const std::vector<uint8_t> whole = read_file(entry().at("stream"));
-  if (whole.size() > 400) return;  // the small ones; fuzzing cuts the others
+  if (whole.size() > 400) GTEST_SKIP() << "a large one: fuzzing cuts it";
   const OctreeStream expected = stream_of(read_fields(entry().at("fields")));
   for (size_t size = 0; size < whole.size(); ++size) {
     const std::vector<uint8_t> data(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size));

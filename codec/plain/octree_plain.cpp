@@ -132,6 +132,7 @@ class Decoder {
   }
 
   size_t decode(Table& table) {
+    whole_ += 16 + shifts_ <= uint64_t{data_.size()} * 8 ? 1 : 0;
     const uint32_t length = at_.high - at_.low + 1;
     const uint32_t target = ((code_ - at_.low + 1) * table.total - 1) / length;
     size_t symbol = 0;
@@ -144,6 +145,8 @@ class Decoder {
   }
 
   [[nodiscard]] uint64_t frame_bits() const { return shifts_ + 2; }
+  /// Symbols decoded from 16 bits of code that were all there.
+  [[nodiscard]] uint64_t whole() const { return whole_; }
 
  private:
   void renormalise() {
@@ -173,6 +176,7 @@ class Decoder {
   uint32_t code_ = 0;
   uint64_t next_ = 0;
   uint64_t shifts_ = 0;
+  uint64_t whole_ = 0;
 };
 
 struct Node {
@@ -254,6 +258,7 @@ Frame decode_frame(std::span<const uint8_t> data, unsigned levels, unsigned text
       });
   frame.bits = decoder.frame_bits();
   frame.truncated = frame.bits > bits_present;
+  frame.whole = decoder.whole();
   return frame;
 }
 

@@ -21,6 +21,7 @@ struct Frame {
   OctreeFields fields;
   uint64_t bits = 0;       ///< used; of a whole frame its length
   bool truncated = false;  ///< then fields hold the symbols up to the one where it was noticed
+  uint64_t whole = 0;      ///< symbols decoded from 16 bits of code that were all there
 };
 
 /// Decodes a frame; stops where it is truncated or has more nodes than `most_nodes`.
