@@ -73,7 +73,11 @@ class StreamDecoder {
  public:
   StreamDecoder(std::span<const uint8_t> data, const OctreeDecodeOptions& options,
                 Diagnostics& diagnostics)
-      : data_(data), options_(options), diagnostics_(diagnostics), in_(data, options.trace) {}
+      : data_(data),
+        options_(options),
+        diagnostics_(diagnostics),
+        in_(data, options.trace),
+        guessing_(thread_count(options.threads) > 1 && !options.frame) {}
 
   DecodedOctreeStream run() {
     const BitReader::Scope scope(in_, "octree_stream");
@@ -108,6 +112,7 @@ class StreamDecoder {
   BitReader in_;
   DecodedOctreeStream result_;
   unsigned levels_ = 0;
+  bool guessing_;
   uint64_t bytes_held_ = 0;  // in the fields of result_
   std::map<uint64_t, FrameJob>
       ahead_;  // frames decoded on the guess that they begin at these bytes
@@ -148,8 +153,7 @@ bool StreamDecoder::more_frames(uint32_t number) {
 }
 
 FrameJob StreamDecoder::frame_at(uint64_t byte, uint32_t number) {
-  if (thread_count(options_.threads) > 1 && !options_.frame && ahead_.count(byte) == 0)
-    decode_ahead(byte);
+  if (guessing_ && ahead_.count(byte) == 0) decode_ahead(byte);
   if (auto found = ahead_.find(byte); found != ahead_.end()) {
     FrameJob job = std::move(found->second);
     ahead_.erase(found);
@@ -161,8 +165,12 @@ FrameJob StreamDecoder::frame_at(uint64_t byte, uint32_t number) {
 
 /// Where frames begin is known only when the one before has been decoded. So with several threads
 /// the places that look like start codes are decoded at once, and a result counts only when the
-/// chain of frames arrives at its place: the outcome is that of decoding one after the other.
+/// chain of frames arrives at its place: the outcome is that of decoding one after the other. After
+/// the first wrong guess there are no more: a hostile stream could have very many of them, each to
+/// be decoded to the end of the data.
 void StreamDecoder::decode_ahead(uint64_t byte) {
+  guessing_ = ahead_.empty();
+  if (!guessing_) return;
   std::vector<uint64_t> places{byte};
   const unsigned threads = thread_count(options_.threads);
   for (uint64_t at = byte; places.size() < threads && at + 4 <= data_.size(); ++at) {
@@ -171,7 +179,6 @@ void StreamDecoder::decode_ahead(uint64_t byte) {
   std::vector<FrameJob> jobs(places.size());
   parallel_for(places.size(), threads,
                [&](size_t i) { jobs[i] = decode(places[i], places.size(), 32); });
-  ahead_.clear();
   for (size_t i = 0; i < places.size(); ++i) ahead_.emplace(places[i], std::move(jobs[i]));
 }
 

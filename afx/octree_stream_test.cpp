@@ -157,6 +157,24 @@ TEST(OctreeStream, FramesAreTheSameOnAnyNumberOfThreads) {
   }
 }
 
+// A frame whose bytes hold a start code: found by chance or put there, it is no frame.
+TEST(OctreeStream, StartCodesInsideFramesAreNotFrames) {
+  const OctreeStream stream = many_frames();
+  Bytes data = encode_octree_stream(stream).value();
+  const Bytes fake{0x00, 0x00, 0x01, 0xC8};
+  data.insert(data.end(), fake.begin(), fake.end());  // the last one is real, and truncated
+  data.insert(data.end(), 3, 0xAA);
+  Diagnostics one;
+  const DecodedOctreeStream expected = decode(data, one, {.threads = 1});
+  for (const unsigned threads : {2U, 8U}) {
+    Diagnostics many;
+    const DecodedOctreeStream decoded = decode(data, many, {.threads = threads});
+    EXPECT_EQ(decoded.status.ok(), expected.status.ok());
+    EXPECT_EQ(decoded.stream.frames, expected.stream.frames);
+    EXPECT_EQ(many.count(), one.count());
+  }
+}
+
 TEST(OctreeStream, GivesOneFrameByNumber) {
   const OctreeStream stream = many_frames();
   const Bytes data = encode_octree_stream(stream).value();
