@@ -67,16 +67,33 @@ NodeView NodeView::child(std::string_view field) const {
   return id != nullptr && id->valid() ? NodeView(*scene_, *id, *resolved.inside) : NodeView();
 }
 
+NodeView::Nodes NodeView::nodes_in(std::string_view field) const {
+  const FieldIndex index = valid() ? node().definition->find(field) : FieldIndex{};
+  if (!index.valid()) return {};
+  const Resolved resolved = resolve(index);
+  return {std::get_if<std::vector<NodeId>>(resolved.value), resolved.inside};
+}
+
+size_t NodeView::child_count(std::string_view field) const {
+  const Nodes nodes = nodes_in(field);
+  return nodes.ids == nullptr ? 0 : nodes.ids->size();
+}
+
+NodeView NodeView::child_at(std::string_view field, size_t index) const {
+  const Nodes nodes = nodes_in(field);
+  if (nodes.ids == nullptr || index >= nodes.ids->size()) return {};
+  const NodeId id = (*nodes.ids)[index];
+  return id.valid() ? NodeView(*scene_, id, *nodes.inside) : NodeView();
+}
+
 std::vector<NodeView> NodeView::children(std::string_view field) const {
   std::vector<NodeView> out;
-  const FieldIndex index = valid() ? node().definition->find(field) : FieldIndex{};
-  if (!index.valid()) return out;
-  const Resolved resolved = resolve(index);
-  const auto* ids = std::get_if<std::vector<NodeId>>(resolved.value);
-  if (ids == nullptr) return out;
-  out.reserve(ids->size());
-  for (const NodeId id : *ids)
-    out.push_back(id.valid() ? NodeView(*scene_, id, *resolved.inside) : NodeView());
+  const Nodes nodes = nodes_in(field);
+  if (nodes.ids == nullptr) return out;
+  out.reserve(nodes.ids->size());
+  for (const NodeId id : *nodes.ids) {
+    out.push_back(id.valid() ? NodeView(*scene_, id, *nodes.inside) : NodeView());
+  }
   return out;
 }
 

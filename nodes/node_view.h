@@ -48,6 +48,9 @@ class NodeView {
   [[nodiscard]] NodeView child(std::string_view field) const;
   /// The nodes in an MFNode field, in order; views of nothing stay in their places.
   [[nodiscard]] std::vector<NodeView> children(std::string_view field) const;
+  /// How many they are, and one of them alone (a view of nothing where there is none at `index`).
+  [[nodiscard]] size_t child_count(std::string_view field) const;
+  [[nodiscard]] NodeView child_at(std::string_view field, size_t index) const;
 
  private:
   struct Resolved {
@@ -55,6 +58,12 @@ class NodeView {
     const std::shared_ptr<const Instance>* inside = nullptr;  ///< where the nodes in it stand
   };
   [[nodiscard]] Resolved resolve(FieldIndex field) const;
+  /// The value of an MFNode field and where it stands; nullptr if there is no such field.
+  struct Nodes {
+    const std::vector<NodeId>* ids = nullptr;
+    const std::shared_ptr<const Instance>* inside = nullptr;
+  };
+  [[nodiscard]] Nodes nodes_in(std::string_view field) const;
   [[nodiscard]] bool is_linked(NodeId id, FieldIndex field) const;
 
   const Scene* scene_ = nullptr;

@@ -12,9 +12,9 @@ namespace afx::nodes {
 
 namespace {
 
-constexpr std::string_view kKeywords[] = {
-    "DEF",  "EXTERNPROTO", "FALSE",   "IS",       "NULL",  "PROTO", "ROUTE", "TO",
-    "TRUE", "USE",         "eventIn", "eventOut", "false", "true",  "field", "exposedField"};
+constexpr std::string_view kKeywords[] = {"DEF",     "EXTERNPROTO", "FALSE", "IS",          "NULL",
+                                          "PROTO",   "ROUTE",       "TO",    "TRUE",        "USE",
+                                          "eventIn", "eventOut",    "field", "exposedField"};
 
 constexpr size_t kShownBytes = 40;
 

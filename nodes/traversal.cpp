@@ -167,8 +167,8 @@ class Walk {
 
   void visit_choice(const NodeView& node, std::string_view field, size_t index, Frame& frame,
                     uint32_t depth) {
-    const std::vector<NodeView> choices = node.children(field);
-    if (index < choices.size()) visit(choices[index], frame, depth + 1);
+    if (const NodeView chosen = node.child_at(field, index); chosen.valid())
+      visit(chosen, frame, depth + 1);
   }
 
   static size_t switch_index(const NodeView& node) {
@@ -177,10 +177,10 @@ class Walk {
   }
 
   void visit_level(const NodeView& node, Frame& frame, uint32_t depth) {
-    const std::vector<NodeView> levels = node.children("level");
-    if (levels.empty()) return;
+    const size_t levels = node.child_count("level");
+    if (levels == 0) return;
     const size_t level = lod_level(node, frame.to_world, options_.viewer);
-    visit(levels[std::min(level, levels.size() - 1)], frame, depth + 1);
+    visit_choice(node, "level", std::min(level, levels - 1), frame, depth);
   }
 
   void visit_shape(const NodeView& node, Frame& frame) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "nodes/traversal.h"
 
+#include <chrono>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -246,6 +247,28 @@ TEST(Scene, SetRefusesWhatDoesNotFit) {
   EXPECT_TRUE(scene.set_name(image, "B").ok());
   EXPECT_TRUE(scene.set_name(group, "A").ok());
   EXPECT_EQ(scene.find_name("A"), group);
+}
+
+/// Seconds to traverse a Switch of so many empty choices that is used so many times.
+double seconds_for(size_t choices, size_t uses) {
+  std::string text = "Group { children [ DEF S Switch { whichChoice 0 choice [ ";
+  for (size_t i = 0; i < choices; ++i) text += "NULL ";
+  text += "] } ";
+  for (size_t i = 0; i < uses; ++i) text += "USE S ";
+  const Scene scene = read_scene(text + "] }");
+  const auto start = std::chrono::steady_clock::now();
+  objects_in(scene);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(Traversal, WhatASwitchDoesNotChooseCostsNothing) {
+  // Were each visit to look at all 10,000 choices it would take thousands of times as long.
+  EXPECT_LT(seconds_for(10000, 10000), 50 * seconds_for(1, 10000) + 0.2);
+}
+
+TEST(SceneText, TrueInSmallLettersIsAName) {
+  const Scene scene = read_scene("DEF true Group { }");
+  EXPECT_TRUE(scene.find_name("true").valid());
 }
 
 }  // namespace afx::nodes
