@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -28,32 +29,40 @@ Error io_error(const std::string& path, const std::string& what, int reason) {
   return error;
 }
 
-// A file descriptor that closes itself, unless it is one of the standard ones.
+// A file descriptor that closes itself if it is ours. Its number does not tell: where standard
+// output is closed, the next file opened gets that number.
 class Descriptor {
  public:
-  explicit Descriptor(int fd) : fd_(fd) {}
+  enum class Owner : bool { us, others };
+  explicit Descriptor(int fd, Owner owner = Owner::us) : fd_(fd), owner_(owner) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ > STDERR_FILENO) ::close(fd_);
-  }
+  ~Descriptor() { static_cast<void>(close()); }
   [[nodiscard]] int get() const { return fd_; }
   // Closing may report what writing did not.
   int close() {
     const int fd = std::exchange(fd_, -1);
-    return fd > STDERR_FILENO && ::close(fd) != 0 ? errno : 0;
+    return fd >= 0 && owner_ == Owner::us && ::close(fd) != 0 ? errno : 0;
   }
 
  private:
   int fd_;
+  Owner owner_;
 };
+
+Descriptor open_file(const std::string& path, int standard, int flags) {
+  if (path == "-") return Descriptor(standard, Descriptor::Owner::others);
+  return Descriptor(::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY));
+}
 
 Status read_all(int fd, const std::string& path, uint64_t limit, std::vector<uint8_t>& out) {
   constexpr size_t kStep = size_t{1} << 16;
   size_t size = 0;
+  limit = std::min<uint64_t>(limit, std::numeric_limits<size_t>::max() / 2);
   try {
     while (true) {
-      if (out.size() - size < kStep) out.resize(std::max(out.size() * 2, size + kStep));
+      if (out.size() - size < kStep)
+        out.resize(std::min<size_t>(std::max(out.size() * 2, size + kStep), limit + 2 * kStep));
       const ssize_t got = ::read(fd, out.data() + size, out.size() - size);
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) return io_error(path, "cannot be read", errno);
@@ -112,29 +121,48 @@ void release_temporary_name(TemporaryName* cell) {
   cell->taken = false;
 }
 
-std::string folder_of(const std::string& path) {
+std::string name_of(const std::string& path) {
   const size_t slash = path.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return slash == 0 ? "/" : path.substr(0, slash);
+  return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
 // A hidden name beside `path`. Long names are cut so that the new one is not too long for the
 // system.
 std::string temporary_name_for(const std::string& path) {
   static std::atomic<unsigned> counter{0};
-  const size_t slash = path.rfind('/');
-  const std::string base = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::string base = name_of(path);
   return folder_of(path) + "/." + base.substr(0, 100) + "." + std::to_string(::getpid()) + "-" +
          std::to_string(counter++) + ".tmp";
 }
 
-// Where a path leads in the end: what an existing link points to, otherwise the path itself.
-std::string resolved(const std::string& path) {
+// The path without links, or nothing if it leads nowhere.
+std::string real_path(const std::string& path) {
   char* real = ::realpath(path.c_str(), nullptr);
-  if (real == nullptr) return path;
+  if (real == nullptr) return {};
   std::string result = real;
   std::free(real);
   return result;
+}
+
+// What a symbolic link says, or nothing if it is none.
+std::string link_target(const std::string& path) {
+  char target[PATH_MAX];
+  const ssize_t length = ::readlink(path.c_str(), target, sizeof target);
+  return length > 0 ? std::string(target, static_cast<size_t>(length)) : std::string();
+}
+
+// Where a path leads in the end, whether there is a file or one is still to be made.
+std::string resolved(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as many as the system follows
+  std::string at = path;
+  for (int link = 0; link < kMostLinks; ++link) {
+    if (std::string real = real_path(at); !real.empty()) return real;
+    const std::string target = link_target(at);
+    if (target.empty()) break;
+    at = target[0] == '/' ? target : folder_of(at) + "/" + target;
+  }
+  const std::string folder = real_path(folder_of(at));
+  return folder.empty() ? at : (folder == "/" ? "" : folder) + "/" + name_of(at);
 }
 
 // What a path is now.
@@ -173,8 +201,7 @@ class SignalsHeld {
 };
 
 Status write_directly(const std::string& path, std::span<const uint8_t> bytes) {
-  Descriptor file(path == "-" ? STDOUT_FILENO
-                              : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  Descriptor file = open_file(path, STDOUT_FILENO, O_WRONLY);
   if (file.get() < 0) return io_error(path, "cannot be written", errno);
   if (Status status = write_all(file.get(), path, bytes); !status.ok()) return status;
   if (const int reason = file.close(); reason != 0)
@@ -185,19 +212,35 @@ Status write_directly(const std::string& path, std::span<const uint8_t> bytes) {
 }  // namespace
 
 Result<MappedFile> MappedFile::open(const std::string& path, const Limits& limits) {
-  const Descriptor file(path == "-" ? STDIN_FILENO
-                                    : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  const Descriptor file = open_file(path, STDIN_FILENO, O_RDONLY);
+  if (file.get() < 0) return io_error(path, "cannot be opened", errno);
+  return map(file.get(), path, path != "-", limits);
+}
+
+Result<MappedFile> MappedFile::open_regular(const std::string& path, const Limits& limits) {
+  // Without O_NONBLOCK, opening a pipe waits until someone writes.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   if (file.get() < 0) return io_error(path, "cannot be opened", errno);
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) return io_error(path, "cannot be opened", errno);
+  if (!S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
+    return io_error(path, "is not a regular file", 0);
+  return map(file.get(), path, true, limits);
+}
+
+// whole   from its beginning: it may be mapped
+Result<MappedFile> MappedFile::map(int fd, const std::string& path, bool whole,
+                                   const Limits& limits) {
+  struct stat info {};
+  if (::fstat(fd, &info) != 0) return io_error(path, "cannot be opened", errno);
   if (S_ISDIR(info.st_mode)) return io_error(path, "is a folder (expected a file)", 0);
   MappedFile result;
-  const bool whole = S_ISREG(info.st_mode) && path != "-";
+  whole = whole && S_ISREG(info.st_mode);
   if (whole && static_cast<uint64_t>(info.st_size) > limits.file_bytes)
     return Error{Errc::limit_exceeded, {}, "is larger than the limit for files", {}, path};
   if (whole && info.st_size > 0) {
     const auto size = static_cast<size_t>(info.st_size);
-    void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0);
+    void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
     if (data != MAP_FAILED) {
       result.bytes_ = {static_cast<const uint8_t*>(data), size};
       result.mapped_ = true;
@@ -205,8 +248,8 @@ Result<MappedFile> MappedFile::open(const std::string& path, const Limits& limit
     }
   }
   // Files of /proc have size 0 and content all the same: those are read too.
-  if (Status status = read_all(file.get(), path, limits.file_bytes, result.read_); !status.ok())
-    return status.error();
+  const uint64_t most = std::min(limits.file_bytes, limits.memory);
+  if (Status status = read_all(fd, path, most, result.read_); !status.ok()) return status.error();
   result.bytes_ = result.read_;
   return result;
 }
@@ -360,6 +403,12 @@ Status OutputFiles::commit() {
     for (const auto& output : outputs_) output->take_back();
   outputs_.clear();
   return status;
+}
+
+std::string folder_of(const std::string& path) {
+  const size_t slash = path.rfind('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
 }
 
 Status write_file_atomically(const std::string& path, std::span<const uint8_t> bytes,

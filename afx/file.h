@@ -23,8 +23,14 @@ class MappedFile {
  public:
   /// Opens `path`; "-" is standard input.
   /// Errors  io: cannot be opened or read, or is a folder (the text has the system's reason);
-  ///         limit_exceeded: more than limits.file_bytes; no_memory
+  ///         limit_exceeded: more than limits.file_bytes, or, where it is read whole, than
+  ///         limits.memory; no_memory
   static Result<MappedFile> open(const std::string& path, const Limits& limits = {});
+
+  /// Opens a file that a document names: "-" is a file's name like any other, and what is no
+  /// regular file (a pipe that would wait, a device without end) is refused. Errors  io: as open(),
+  /// or is not a regular file; limit_exceeded; no_memory
+  static Result<MappedFile> open_regular(const std::string& path, const Limits& limits = {});
 
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&& other) noexcept;
@@ -37,6 +43,7 @@ class MappedFile {
 
  private:
   MappedFile() = default;
+  static Result<MappedFile> map(int fd, const std::string& path, bool whole, const Limits& limits);
   void release();
 
   std::span<const uint8_t> bytes_;
@@ -61,8 +68,8 @@ class OutputFiles {
   [[nodiscard]] Status check(const std::string& path) const;
 
   /// Writes `bytes` under a temporary name beside `path`. A symbolic link keeps being one: the file
-  /// it points to is replaced. An existing file's permissions are kept.
-  /// Errors  io: as check(), or cannot be written; bad_argument: `path` was put in before
+  /// it points to is replaced, or made where it is not there. An existing file's permissions are
+  /// kept. Errors  io: as check(), or cannot be written; bad_argument: `path` was put in before
   Status put(const std::string& path, std::span<const uint8_t> bytes);
 
   /// Gives all outputs their names. If one of them cannot have it, those before are taken back and
@@ -75,6 +82,9 @@ class OutputFiles {
   bool overwrite_;
   std::vector<std::unique_ptr<Output>> outputs_;
 };
+
+/// The folder that a path leads into: what stands in front of its last slash; "." without one.
+std::string folder_of(const std::string& path);
 
 /// One output alone: put and commit. "-" is standard output.
 /// Errors  io: as OutputFiles

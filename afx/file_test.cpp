@@ -92,6 +92,68 @@ TEST(MappedFile, KeepsToTheLimit) {
   EXPECT_EQ(endless.error().code, Errc::limit_exceeded);
 }
 
+TEST(MappedFile, KeepsWhatIsReadWholeToTheLimitOfMemory) {
+  const auto endless = MappedFile::open("/dev/zero", {.memory = 100000});
+  ASSERT_FALSE(endless.ok());
+  EXPECT_EQ(endless.error().code, Errc::limit_exceeded);
+  const TestFolder folder;  // a mapping costs no memory
+  EXPECT_TRUE(MappedFile::open(folder.write("a", "12345"), {.memory = 4}).ok());
+}
+
+TEST(MappedFile, OpenRegularTakesFilesOnlyAndWaitsForNothing) {
+  const TestFolder folder;
+  const auto file = MappedFile::open_regular(folder.write("a", "hello"));
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(text_of(file.value()), "hello");
+  ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
+  for (const std::string& path : {folder.path("pipe"), std::string("/dev/zero")}) {
+    const auto other = MappedFile::open_regular(path);
+    ASSERT_FALSE(other.ok());
+    EXPECT_EQ(other.error().code, Errc::io);
+    EXPECT_EQ(other.error().text, "is not a regular file");
+  }
+  EXPECT_FALSE(MappedFile::open_regular(folder.path("")).ok());
+  const auto dash = MappedFile::open_regular("-");  // not standard input
+  ASSERT_FALSE(dash.ok());
+  EXPECT_THAT(dash.error().text, HasSubstr("No such file"));
+}
+
+TEST(FolderOf, IsWhatStandsBeforeTheLastSlash) {
+  EXPECT_EQ(folder_of("a/b/c"), "a/b");
+  EXPECT_EQ(folder_of("c"), ".");
+  EXPECT_EQ(folder_of("/c"), "/");
+}
+
+TEST(WriteFileAtomically, MakesTheFileThatADanglingLinkNames) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder.path("sub"));
+  ASSERT_EQ(::symlink("sub/second", folder.path("first").c_str()), 0);
+  ASSERT_EQ(::symlink("made", folder.path("sub/second").c_str()), 0);
+  ASSERT_TRUE(write_file_atomically(folder.path("first"), bytes_of("text"), false).ok());
+  EXPECT_EQ(folder.read("sub/made"), "text");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("first")));
+  // Where the link's folder is not there, and where links go in a circle, check() says so.
+  ASSERT_EQ(::symlink("no/where", folder.path("lost").c_str()), 0);
+  ASSERT_EQ(::symlink("round", folder.path("round").c_str()), 0);
+  EXPECT_FALSE(OutputFiles().check(folder.path("lost")).ok());
+  EXPECT_FALSE(OutputFiles().check(folder.path("round")).ok());
+}
+
+TEST(WriteFileAtomically, ClosesItsFileWhereStandardOutputIsClosed) {
+  const TestFolder folder;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ::close(STDOUT_FILENO);  // so that the temporary file gets its number
+    const bool written = write_file_atomically(folder.path("a"), bytes_of("text"), false).ok();
+    ::_exit(written && ::fcntl(STDOUT_FILENO, F_GETFD) < 0 ? 0 : 1);
+  }
+  int state = 0;
+  ASSERT_EQ(::waitpid(child, &state, 0), child);
+  EXPECT_TRUE(WIFEXITED(state) && WEXITSTATUS(state) == 0);
+  EXPECT_EQ(folder.read("a"), "text");
+}
+
 TEST(WriteFileAtomically, WritesANewFileAndNothingElse) {
   const TestFolder folder;
   ASSERT_TRUE(write_file_atomically(folder.path("a"), bytes_of("text"), false).ok());
@@ -203,9 +265,11 @@ TEST(OutputFiles, RefuseTheSameNameTwice) {
   const TestFolder folder;
   OutputFiles outputs;
   ASSERT_TRUE(outputs.put(folder.path("a"), bytes_of("1")).ok());
-  const Status status = outputs.put(folder.path("a"), bytes_of("2"));
-  ASSERT_FALSE(status.ok());
-  EXPECT_EQ(status.error().code, Errc::bad_argument);
+  for (const char* name : {"a", "./a"}) {
+    const Status status = outputs.put(folder.path(name), bytes_of("2"));
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().code, Errc::bad_argument);
+  }
 }
 
 extern "C" void remove_and_leave(int) {

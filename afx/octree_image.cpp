@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
-#include "afx/file.h"
 #include "afx/octree_stream.h"
 #include "afx/picture_io.h"
+#include "afx/scene_files.h"
 #include "nodes/traversal.h"
 
 namespace afx {
@@ -46,19 +45,6 @@ Result<std::vector<uint8_t>> byte_field(const NodeView& node, const char* field)
   return bytes;
 }
 
-/// The path of a file that an url names; errors: unsupported.
-Result<std::string> path_of(const Url& url, const std::string& folder) {
-  if (url.is_descriptor()) {
-    return Error{Errc::unsupported, Place::none(),
-                 "url od:" + std::to_string(url.object_descriptor) +
-                     " names an object descriptor (expected a file)"};
-  }
-  if (url.text.find("://") != std::string::npos) {
-    return Error{Errc::unsupported, Place::none(), "url \"" + url.text + "\" is not a file name"};
-  }
-  return (std::filesystem::path(folder) / url.text).string();
-}
-
 Result<OctreeNode> plain_node(const NodeView& node) {
   OctreeNode octree;
   const int32_t resolution = node.get<int32_t>("octreeResolution");
@@ -80,7 +66,7 @@ Result<OctreeNode> plain_node(const NodeView& node) {
 /// Decodes the stream of a BitWrapper into `octree`, which holds the fields of its node.
 Status decode_into(OctreeNode& octree, std::span<const uint8_t> stream, const NodeView& wrapper,
                    const Limits& limits, Diagnostics& diagnostics) {
-  OctreeDecodeOptions options{.frame = 0};
+  OctreeDecodeOptions options;
   options.limits = limits;
   DecodedOctreeStream decoded = decode_octree_stream(stream, options, diagnostics);
   if (!decoded.status.ok()) return decoded.status;
@@ -88,6 +74,11 @@ Status decode_into(OctreeNode& octree, std::span<const uint8_t> stream, const No
     return bad_node(wrapper, "its stream has numOfTextures " +
                                  std::to_string(decoded.stream.textures) + ", but its node has " +
                                  std::to_string(octree.images) + " images");
+  }
+  if (const size_t frames = decoded.stream.frames.size(); frames > 1) {
+    diagnostics.warn("frames_left_out", Place::none(),
+                     wrapper.label() + ": its stream has " + std::to_string(frames) +
+                         " frames, of which the first is taken");
   }
   if (!octree.fields.octree.empty() || !octree.fields.voxel_image_index.empty()) {
     diagnostics.warn(
@@ -115,12 +106,12 @@ Status read_wrapped(OctreeNode& octree, const NodeView& wrapper, const std::stri
     const auto* bytes = reinterpret_cast<const uint8_t*>(buffer.data());
     return decode_into(octree, {bytes, buffer.size()}, wrapper, limits, diagnostics);
   }
-  const auto path = path_of(urls.front(), folder);
-  if (!path.ok()) return bad_node(wrapper, path.error().text, path.error().code);
-  const auto file = MappedFile::open(path.value(), limits);
-  if (!file.ok()) return file.error();
-  Status status = decode_into(octree, file.value().bytes(), wrapper, limits, diagnostics);
-  if (!status.ok() && status.error().place != Place::none()) status.error().file = path.value();
+  const auto stream = open_url(urls, folder, limits);
+  if (!stream.ok()) return bad_node(wrapper, to_string(stream.error()), stream.error().code);
+  Diagnostics of_stream;
+  Status status = decode_into(octree, stream.value().file.bytes(), wrapper, limits, of_stream);
+  diagnostics.append(of_stream, stream.value().path);
+  if (!status.ok()) status.error().file = stream.value().path;
   return status;
 }
 
@@ -146,18 +137,9 @@ Result<Picture> load_texture(const NodeView& texture, const std::string& folder,
                  "has a texture of type " + std::string(texture.type()) +
                      " (expected ImageTexture or PixelTexture)"};
   }
-  Error last{Errc::bad_argument, Place::none(), "its ImageTexture has no url"};
-  for (const Url& url : texture.get<std::vector<Url>>("url")) {
-    const auto path = path_of(url, folder);
-    if (!path.ok()) {
-      last = path.error();
-      continue;
-    }
-    auto picture = read_picture(path.value(), limits);
-    if (picture.ok()) return picture;
-    last = std::move(picture).error();
-  }
-  return last;
+  const auto file = open_url(texture.get<std::vector<Url>>("url"), folder, limits);
+  if (!file.ok()) return file.error();
+  return decode_picture(file.value().file.bytes(), file.value().path, limits);
 }
 
 glm::quat quaternion_of(const nodes::Rotation& r) {
@@ -243,24 +225,21 @@ NodeId add_octree(nodes::Scene& scene, uint32_t resolution, const OctreeFields& 
 
 std::vector<NodeView> find_octree_images(const nodes::Scene& scene) {
   std::vector<NodeView> found;
-  std::vector<NodeId> known;  // given already, or held by a BitWrapper
+  std::vector<bool> known(scene.node_count());  // given already, or held by a BitWrapper
+  const auto in_main = [&](NodeId id) { return scene.node(id).scope == nodes::Scene::kMain; };
   for (uint32_t i = 0; i < scene.node_count(); ++i) {
-    const NodeId id(i);
-    if (scene.node(id).scope != nodes::Scene::kMain || scene.type_name(id) != "BitWrapper")
-      continue;
-    if (const NodeView view(scene, id); shows_octree(view))
-      known.push_back(view.child("node").id());
+    if (!in_main(NodeId(i)) || scene.type_name(NodeId(i)) != "BitWrapper") continue;
+    const NodeView view(scene, NodeId(i));
+    if (shows_octree(view)) known[view.child("node").id().value] = true;
   }
   const auto give = [&](const NodeView& view) {
-    if (!shows_octree(view) || std::find(known.begin(), known.end(), view.id()) != known.end())
-      return;
-    known.push_back(view.id());
+    if (!shows_octree(view) || known[view.id().value]) return;
+    known[view.id().value] = true;
     found.push_back(view);
   };
   for (uint32_t i = 0; i < scene.node_count(); ++i) {
-    const NodeId id(i);
-    if (scene.node(id).scope == nodes::Scene::kMain && !scene.node(id).proto.valid())
-      give(NodeView(scene, id));
+    if (in_main(NodeId(i)) && !scene.node(NodeId(i)).proto.valid())
+      give(NodeView(scene, NodeId(i)));
   }
   const auto shown = nodes::find_dibr_objects(scene);
   if (!shown.ok()) return found;

@@ -40,7 +40,8 @@ struct OctreeNode {
 ///           position), a BitWrapper without an OctreeImage or with both or neither of url and
 ///           buffer, more numOfTextures than images; unsupported: another `type` of BitWrapper, an
 ///           url that is no file; io and whatever decode_octree_stream says of the stream
-/// Warnings  bitwrapper_fields: the node has fields that the stream replaces; those of the stream
+/// Warnings  bitwrapper_fields: the node has fields that the stream replaces; frames_left_out: the
+///           stream has more than one frame; those of the stream, with its path
 Result<OctreeNode> read_octree_node(const nodes::NodeView& node, const std::string& folder,
                                     const Limits& limits, Diagnostics& diagnostics);
 

@@ -19,11 +19,6 @@
 namespace afx {
 namespace {
 
-std::string folder_of(const std::string& path) {
-  const size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "." : path.substr(0, slash);
-}
-
 std::vector<std::string> module_folders() {
   std::vector<std::string> folders;
   if (const char* given = ::secure_getenv("AFX_MODULE_DIR"); given != nullptr && *given != 0)

@@ -16,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "afx/srgb.h"
+
 namespace {
 
 struct Failure {
@@ -106,12 +108,6 @@ void read_pixels(Input& in, int channels, OIIO::TypeDesc type, void* to) {
                   or_default(message, "the picture's samples cannot be read")};
 }
 
-uint8_t srgb_of_linear(float linear) {
-  const float c = std::isnan(linear) ? 0.0F : std::clamp(linear, 0.0F, 1.0F);
-  const float s = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
-  return static_cast<uint8_t>(std::lround(s * 255.0F));
-}
-
 // Floating point holds linear light; alpha is linear in both.
 void read_linear(Input& in, int channels, uint8_t* to) {
   const size_t pixels = static_cast<size_t>(in.spec.width) * static_cast<size_t>(in.spec.height);
@@ -121,7 +117,7 @@ void read_linear(Input& in, int channels, uint8_t* to) {
   for (size_t i = 0; i < samples.size(); ++i) {
     const bool alpha = n % 2 == 0 && i % n == n - 1;
     to[i] = alpha ? static_cast<uint8_t>(std::lround(std::clamp(samples[i], 0.0F, 1.0F) * 255.0F))
-                  : srgb_of_linear(samples[i]);
+                  : afx::linear_to_srgb(samples[i]);
   }
 }
 

@@ -47,6 +47,11 @@ const std::array<float, 256>& srgb_to_linear() {
   return table;
 }
 
+float srgb_to_linear(float srgb) {
+  if (!(srgb > 0)) return 0;
+  return srgb >= 1 ? 1.0F : static_cast<float>(decode(static_cast<double>(srgb)));
+}
+
 uint8_t linear_to_srgb(float linear) {
   static const std::array<float, 257> thresholds = make_thresholds();
   static const std::array<uint8_t, kBuckets + 1> starts = make_starts(thresholds);

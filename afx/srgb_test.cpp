@@ -36,5 +36,13 @@ TEST(Srgb, WhatIsOutOfRangeIsClamped) {
   EXPECT_EQ(linear_to_srgb(NAN), 0);
 }
 
+TEST(Srgb, FractionsGoTheSameWayAsBytes) {
+  for (size_t k = 0; k < 256; ++k)
+    EXPECT_NEAR(srgb_to_linear(static_cast<float>(k) / 255), srgb_to_linear()[k], 1e-6) << k;
+  EXPECT_EQ(srgb_to_linear(-1.0F), 0);
+  EXPECT_EQ(srgb_to_linear(2.0F), 1);
+  EXPECT_EQ(srgb_to_linear(std::nanf("")), 0);
+}
+
 }  // namespace
 }  // namespace afx
