@@ -77,14 +77,9 @@ class Painter {
   }
 
   /// Whether the pictures can be read in bounded time.
-  [[nodiscard]] Status check(std::span<const uint64_t> codes, unsigned threads) const {
-    for (size_t k = 0; k < projections_.size() && !finest_; ++k) {
-      if (is_drawable(projections_[k], codes, level_, threads)) continue;
-      return Error{Errc::limit_exceeded, Place::none(),
-                   "images[" + std::to_string(k) +
-                       "]/fieldOfView is so small that voxels cover too many pixels"};
-    }
-    return {};
+  [[nodiscard]] Status check(const ColouredVoxels& voxels, unsigned threads) const {
+    if (finest_ || projections_.empty()) return {};
+    return check_drawable(projections_, voxels.codes, voxels.images, level_, threads);
   }
 
   [[nodiscard]] bool has_picture(uint8_t number) const {
@@ -196,7 +191,6 @@ Result<ColouredVoxels> colour_octree(const OctreeModel& model, unsigned level, u
   if (!read.ok()) return read.error();
   ColouredVoxels voxels = std::move(read).value();
   Painter painter(model, level);
-  if (const Status s = painter.check(voxels.codes, threads); !s.ok()) return s.error();
 
   const auto has_picture = [&](const ReferenceImage& image) { return !image.picture.empty(); };
   const bool some = std::any_of(model.images.begin(), model.images.end(), has_picture);
@@ -213,6 +207,7 @@ Result<ColouredVoxels> colour_octree(const OctreeModel& model, unsigned level, u
     }
     if (!some || !all) normals = surface_normals(voxels.codes, level, blocks, threads);
   }
+  if (const Status s = painter.check(voxels, threads); !s.ok()) return s.error();
   uint64_t without_picture = 0;
   paint_all(painter, normals, threads, voxels, without_picture);
   painter.report(diagnostics);

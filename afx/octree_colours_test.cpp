@@ -257,16 +257,17 @@ TEST(ColourOctree, ImagesWithoutPicturesGiveGreyAndAWarningWithTheCount) {
 }
 
 TEST(ColourOctree, TheResultIsTheSameForAnyNumberOfThreads) {
-  OctreeModel model = model_where(6, [](Voxel v) {
-    const double x = v.x - 31.5, y = v.y - 31.5, z = v.z - 31.5;
-    return std::abs(x * x + y * y + z * z - 700) < 40;
+  OctreeModel model = model_where(7, [](Voxel v) {
+    const double x = v.x - 63.5, y = v.y - 63.5, z = v.z - 63.5;
+    return std::abs(x * x + y * y + z * z - 2800) < 160;
   });
   model.images = box_images(50);
   for (size_t k = 0; k < 6; ++k) model.images[k].picture = ramp(50, 40, 3);
   Diagnostics diagnostics;
-  const ColouredVoxels one = coloured(model, 6, diagnostics, 1);
+  const ColouredVoxels one = coloured(model, 7, diagnostics, 1);
+  ASSERT_GT(one.codes.size(), 3U * 16384);  // what one task colours: fewer would run in one thread
   for (const unsigned threads : {2U, 3U, 8U}) {
-    const ColouredVoxels many = coloured(model, 6, diagnostics, threads);
+    const ColouredVoxels many = coloured(model, 7, diagnostics, threads);
     EXPECT_EQ(many.colours, one.colours);
     EXPECT_EQ(many.images, one.images);
   }
@@ -309,7 +310,7 @@ TEST(ColourOctree, FieldsThatDoNotFitAreRefused) {
   error_of(model, 2, Errc::bad_argument);
 }
 
-TEST(ColourOctree, WhatHasNoBoundIsRefused) {
+TEST(ColourOctree, WhatIsBeyondTheLimitsIsRefused) {
   OctreeModel model = full_model(5);
   Limits limits;
   limits.memory = 64 * 32000;
@@ -318,8 +319,12 @@ TEST(ColourOctree, WhatHasNoBoundIsRefused) {
   limits.picture_pixels = 99;
   model.images = box_images(10);
   error_of(model, 5, Errc::limit_exceeded, limits);
-  // A field of view far smaller than a voxel: the 32 voxels in the row before it cover the whole
-  // picture each, which is work enough to do; is_drawable has its own test for what is not.
+}
+
+// A field of view far smaller than a voxel: the voxels of the row before it cover the whole picture
+// each. Sixteen times 2^24 pixels can be drawn, 16 * 9 times cannot.
+TEST(ColourOctree, WorkThatFitsTheBudgetIsDoneAndMoreIsRefused) {
+  OctreeModel model = model_where(5, [](Voxel v) { return v.x == 16 && v.y == 16 && v.z < 16; });
   model.images.resize(1);
   model.images[0].picture = Picture(4096, 4096, 1);
   model.images[0].field_of_view = {1e-4F, 1e-4F};
@@ -327,6 +332,22 @@ TEST(ColourOctree, WhatHasNoBoundIsRefused) {
   model.images[0].position.y = 1.0F / 64;
   Diagnostics diagnostics;
   EXPECT_TRUE(colour_octree(model, 5, 2, Limits{}, diagnostics).ok());
+  model.images.resize(9, model.images[0]);
+  EXPECT_EQ(error_of(model, 5, Errc::limit_exceeded).substr(0, 38),
+            "the voxels cover more than 2^31 pixels");
+}
+
+// With indices nothing is to be chosen; at a coarser level each voxel is the mean of its square.
+TEST(ColourOctree, MeansOverTooManyPixelsAreRefused) {
+  OctreeModel model = full_model(6);
+  model.images.resize(1);
+  model.images[0].picture = Picture(16384, 16384, 1);
+  model.images[0].field_of_view = {1e-6F, 1e-6F};
+  model.images[0].position.x = 1.0F / 64;
+  model.images[0].position.y = 1.0F / 64;
+  model.fields.voxel_image_index = {1};
+  EXPECT_EQ(error_of(model, 5, Errc::limit_exceeded).substr(0, 38),
+            "the voxels cover more than 2^31 pixels");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ class Chooser {
     }
   }
 
-  Status consider(const ReferenceImage& image, uint8_t number, const Limits& limits);
+  void consider(const ReferenceProjection& projection, uint8_t number);
 
   void settle(std::span<uint8_t> images) const {
     for (const Candidate& c : candidates_) {
@@ -113,24 +113,29 @@ void Chooser::judge(const ReferenceProjection& projection, uint8_t number, Candi
   }
 }
 
-Status Chooser::consider(const ReferenceImage& image, uint8_t number, const Limits& limits) {
-  const uint32_t without = std::min(kMostBuffer, uint32_t{1} << level_);
-  const Picture& picture = image.picture;
-  const ReferenceProjection projection(image, picture.empty() ? without : picture.width,
-                                       picture.empty() ? without : picture.height);
-  const std::string name = "images[" + std::to_string(number - 1) + "]";
-  if (uint64_t{projection.width()} * projection.height() > limits.memory / sizeof(float)) {
-    return Error{Errc::limit_exceeded, Place::none(),
-                 name + " needs a depth buffer beyond the limit of " +
-                     std::to_string(limits.memory) + " bytes"};
+/// The grids of pixels of the depth buffers, one for each image; none may be beyond the limit.
+Result<std::vector<ReferenceProjection>> buffers_of(std::span<const ReferenceImage> reference,
+                                                    unsigned level, const Limits& limits) {
+  const uint32_t without = std::min(kMostBuffer, uint32_t{1} << level);
+  std::vector<ReferenceProjection> buffers;
+  for (const ReferenceImage& image : reference) {
+    const Picture& picture = image.picture;
+    const uint32_t width = picture.empty() ? without : picture.width;
+    const uint32_t height = picture.empty() ? without : picture.height;
+    if (uint64_t{width} * height > limits.memory / sizeof(float)) {
+      return Error{Errc::limit_exceeded, Place::none(),
+                   "images[" + std::to_string(buffers.size()) +
+                       "] needs a depth buffer beyond the limit of " +
+                       std::to_string(limits.memory) + " bytes"};
+    }
+    buffers.emplace_back(image, width, height);
   }
-  if (!is_drawable(projection, codes_, level_, threads_)) {
-    return Error{Errc::limit_exceeded, Place::none(),
-                 name + "/fieldOfView is so small that voxels cover too many pixels"};
-  }
+  return buffers;
+}
+
+void Chooser::consider(const ReferenceProjection& projection, uint8_t number) {
   draw(projection);
   in_chunks(candidates_.size(), [&](size_t i) { judge(projection, number, candidates_[i]); });
-  return {};
 }
 
 }  // namespace
@@ -138,13 +143,14 @@ Status Chooser::consider(const ReferenceImage& image, uint8_t number, const Limi
 Status choose_images(std::span<const ReferenceImage> reference, std::span<const uint64_t> codes,
                      unsigned level, std::span<const glm::vec3> normals, std::span<uint8_t> images,
                      unsigned threads, const Limits& limits) {
-  Chooser chooser(codes, level, normals, threads);
   if (reference.empty()) return {};
+  const Result<std::vector<ReferenceProjection>> buffers = buffers_of(reference, level, limits);
+  if (!buffers.ok()) return buffers.error();
+  if (Status s = check_drawable(buffers.value(), codes, {}, level, threads); !s.ok()) return s;
+  Chooser chooser(codes, level, normals, threads);
   chooser.open(images);
-  for (size_t k = 0; k < reference.size(); ++k) {
-    const auto number = static_cast<uint8_t>(k + 1);
-    if (Status status = chooser.consider(reference[k], number, limits); !status.ok()) return status;
-  }
+  for (size_t k = 0; k < reference.size(); ++k)
+    chooser.consider(buffers.value()[k], static_cast<uint8_t>(k + 1));
   chooser.settle(images);
   return {};
 }

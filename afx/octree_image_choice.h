@@ -31,7 +31,7 @@ namespace afx {
 /// codes       ascending Morton codes of the voxels of `level`, fewer than 2^32
 /// normals     one for each voxel, zero where there is none (voxel_normals)
 /// Errors      limit_exceeded: the buffer is beyond `limits`, or the squares of the voxels cover so
-///             many pixels of an image that the work has no bound (is_drawable)
+///             many pixels that the work has no bound (check_drawable)
 [[nodiscard]] Status choose_images(std::span<const ReferenceImage> reference,
                                    std::span<const uint64_t> codes, unsigned level,
                                    std::span<const glm::vec3> normals, std::span<uint8_t> images,

@@ -81,6 +81,31 @@ void pixels_along(double at, double half, uint32_t size, uint32_t& first, uint32
   if (first == size && at <= size + slack) first = size - 1, end = size;
 }
 
+constexpr auto kMost = static_cast<double>(kMostPixelsTouched);
+
+/// No voxel touches more pixels of the image than this.
+double most_of_a_voxel(const ReferenceProjection& projection, unsigned level) {
+  const ReferenceProjection::Area largest =
+      projection.square({0.5 * projection.width(), 0.5 * projection.height()},
+                        std::ldexp(1.0, -static_cast<int>(level)));
+  return static_cast<double>(largest.i1 - largest.i0 + uint64_t{2}) *
+         static_cast<double>(largest.j1 - largest.j0 + uint64_t{2});
+}
+
+/// No more pixels are touched, if each voxel is drawn on all images, or on one.
+double most_of_all(std::span<const ReferenceProjection> projections, size_t voxels,
+                   unsigned level) {
+  double sum = 0;
+  for (const ReferenceProjection& p : projections) sum += most_of_a_voxel(p, level);
+  return sum * static_cast<double>(voxels);
+}
+double most_of_one(std::span<const ReferenceProjection> projections, size_t voxels,
+                   unsigned level) {
+  double most = 0;
+  for (const ReferenceProjection& p : projections) most = std::max(most, most_of_a_voxel(p, level));
+  return most * static_cast<double>(voxels);
+}
+
 }  // namespace
 
 Status check_reference_images(std::span<const ReferenceImage> reference, const Limits& limits) {
@@ -136,26 +161,37 @@ glm::dvec3 voxel_centre(uint64_t code, unsigned level) {
   return {(v.x + 0.5) * side - 0.5, (v.y + 0.5) * side - 0.5, (v.z + 0.5) * side - 0.5};
 }
 
-bool is_drawable(const ReferenceProjection& projection, std::span<const uint64_t> codes,
-                 unsigned level, unsigned threads) {
-  constexpr double kMost = 34359738368.0;  // 2^35
+Status check_drawable(std::span<const ReferenceProjection> projections,
+                      std::span<const uint64_t> codes, std::span<const uint8_t> images,
+                      unsigned level, unsigned threads) {
+  if (images.empty() ? most_of_all(projections, codes.size(), level) <= kMost
+                     : most_of_one(projections, codes.size(), level) <= kMost)
+    return {};
+  constexpr size_t kChunk = 4096;
   const double side = std::ldexp(1.0, -static_cast<int>(level));
-  // First without looking at any: no voxel touches more than this many.
-  const ReferenceProjection::Area largest =
-      projection.square({0.5 * projection.width(), 0.5 * projection.height()}, side);
-  const auto bound = static_cast<double>(largest.i1 - largest.i0 + uint64_t{2}) *
-                     static_cast<double>(largest.j1 - largest.j0 + uint64_t{2});
-  if (bound * static_cast<double>(codes.size()) <= kMost) return true;
-  constexpr size_t kChunk = 65536;
   std::atomic<uint64_t> pixels{0};
+  const auto touched = [&](const ReferenceProjection& projection, uint64_t code) {
+    const auto area = projection.square(projection.project(voxel_centre(code, level)), side);
+    return std::max<uint64_t>(area.count(), 1);
+  };
   parallel_for((codes.size() + kChunk - 1) / kChunk, threads, [&](size_t chunk) {
+    // Once there are too many, how many does not matter; whether there are does not depend on
+    // order.
+    if (pixels.load() > kMostPixelsTouched) return;
+    const size_t end = std::min(codes.size(), (chunk + 1) * kChunk);
     uint64_t sum = 0;
-    for (size_t i = chunk * kChunk; i < std::min(codes.size(), (chunk + 1) * kChunk); ++i) {
-      sum += projection.square(projection.project(voxel_centre(codes[i], level)), side).count();
+    for (size_t i = chunk * kChunk; i < end && sum <= kMostPixelsTouched; ++i) {
+      if (!images.empty() && images[i] != 0) sum += touched(projections[images[i] - 1U], codes[i]);
+      for (size_t k = 0; images.empty() && k < projections.size(); ++k)
+        sum += touched(projections[k], codes[i]);
     }
     pixels += sum;
   });
-  return static_cast<double>(pixels.load()) <= kMost;
+  if (pixels.load() <= kMostPixelsTouched) return {};
+  return Error{Errc::limit_exceeded, Place::none(),
+               "the voxels cover more than 2^31 pixels of the " +
+                   std::to_string(projections.size()) +
+                   " images (a field of view is very small, or the images are too many)"};
 }
 
 }  // namespace afx

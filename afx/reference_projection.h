@@ -71,9 +71,18 @@ class ReferenceProjection {
 /// The centre of a voxel in the cube of side 1 around the origin, given its Morton code.
 glm::dvec3 voxel_centre(uint64_t code, unsigned level);
 
-/// Whether drawing the squares of all voxels touches at most 2^35 pixels: more is no picture of a
-/// model but a field of view so small that time would have no bound.
-[[nodiscard]] bool is_drawable(const ReferenceProjection& projection,
-                               std::span<const uint64_t> codes, unsigned level, unsigned threads);
+/// The most pixels that the squares of voxels may touch on all images together, a voxel on an image
+/// counting as one at least. Beyond lies no picture of a model but fields of view so small, or
+/// images so many, that the time would have no bound.
+inline constexpr uint64_t kMostPixelsTouched = uint64_t{1} << 31;
+
+/// Whether drawing the squares (side 2^-level) of voxels keeps to kMostPixelsTouched.
+/// images   for each voxel the image it is drawn on, from 1 (0 = none); empty: every voxel on every
+///          image
+/// Errors   limit_exceeded
+[[nodiscard]] Status check_drawable(std::span<const ReferenceProjection> projections,
+                                    std::span<const uint64_t> codes,
+                                    std::span<const uint8_t> images, unsigned level,
+                                    unsigned threads);
 
 }  // namespace afx

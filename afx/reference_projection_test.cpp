@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace afx {
 namespace {
@@ -81,10 +83,37 @@ TEST(ReferenceProjection, ASquareCoversThePixelsItOverlaps) {
 TEST(ReferenceProjection, AFieldOfViewThatMakesVoxelsHugeIsNotDrawable) {
   ReferenceImage image;
   const std::vector<uint64_t> codes(1 << 16, 0);
-  EXPECT_TRUE(is_drawable({image, 1024, 1024}, codes, 8, 1));
+  const auto check = [&](size_t voxels, const std::vector<uint8_t>& images, size_t count) {
+    const std::vector<ReferenceProjection> all(count, {image, 1024, 1024});
+    return check_drawable(all, std::span(codes).first(voxels), images, 8, 2);
+  };
+  EXPECT_TRUE(check(codes.size(), {}, 6).ok());
+  // Every voxel covers the whole picture, 2^20 pixels: 2^11 of them, on whatever images, are the
+  // most.
   image.position = {-0.499F, -0.499F, 10};
   image.field_of_view = {1e-6F, 1e-6F};
-  EXPECT_FALSE(is_drawable({image, 1024, 1024}, codes, 8, 1));
+  EXPECT_TRUE(check(2048, {}, 1).ok());
+  const Status one = check(2049, {}, 1);
+  ASSERT_FALSE(one.ok());
+  EXPECT_EQ(one.error().code, Errc::limit_exceeded);
+  EXPECT_EQ(one.error().text.substr(0, 55),
+            "the voxels cover more than 2^31 pixels of the 1 images ");
+  EXPECT_TRUE(check(1024, {}, 2).ok());
+  EXPECT_FALSE(check(1025, {}, 2).ok());
+  // Each on one image of the two, or on none.
+  EXPECT_TRUE(check(2048, std::vector<uint8_t>(2048, 2), 2).ok());
+  EXPECT_FALSE(check(2049, std::vector<uint8_t>(2049, 2), 2).ok());
+  EXPECT_TRUE(check(codes.size(), std::vector<uint8_t>(codes.size(), 0), 2).ok());
+}
+
+TEST(ReferenceProjection, VoxelsBesideTheImageCountAsOnePixel) {
+  ReferenceImage image;
+  image.position = {100, 0, 10};
+  const std::vector<uint64_t> codes(1 << 16, 0);
+  // A square so large that only counting tells that none of it lies on the picture.
+  image.field_of_view = {1e-6F, 1e-6F};
+  const std::vector<ReferenceProjection> all(255, {image, 8192, 8192});
+  EXPECT_TRUE(check_drawable(all, codes, {}, 8, 2).ok());
 }
 
 TEST(ReferenceImages, BadOnesAreNamedWithTheirField) {

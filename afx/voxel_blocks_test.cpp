@@ -132,5 +132,27 @@ TEST(SurfaceNormals, OfASphereShellPointOutwards) {
   EXPECT_EQ(normals, surface_normals(codes, level, blocks, 8));
 }
 
+TEST(SurfaceNormals, RowsOfSightAreFewForFewVoxels) {
+  EXPECT_EQ(sight_level(21, 1), 8U);  // a lone voxel asks for 2^16 rows, not 2^42
+  EXPECT_EQ(sight_level(5, 1), 5U);
+  EXPECT_EQ(sight_level(9, (1 << 18) / 16), 9U);
+  EXPECT_EQ(sight_level(9, (1 << 18) / 16 - 1), 8U);
+  EXPECT_EQ(sight_level(11, 1 << 22), 11U);
+  EXPECT_EQ(sight_level(12, size_t{1} << 40), 11U);
+}
+
+TEST(ShadedColour, IsTheColourItselfTowardsTheLightAndDarkerBehind) {
+  const glm::vec3 light = glm::normalize(glm::vec3(-0.45F, 0.7F, 0.8F));
+  const Rgba8 colour{200, 100, 0, 255};
+  EXPECT_EQ(shaded_colour(colour, light), colour);
+  EXPECT_NEAR(shade_light(light), 0.65, 1e-6);
+  EXPECT_NEAR(shade_light(-light), 0.06, 1e-6);
+  const Rgba8 behind = shaded_colour(colour, -light);
+  EXPECT_LT(behind.r, 100);
+  EXPECT_GT(behind.r, behind.g);
+  EXPECT_EQ(behind.b, 0);
+  EXPECT_EQ(behind.a, 255);
+}
+
 }  // namespace
 }  // namespace afx

@@ -3,6 +3,7 @@
 #include "afx/voxel_shading.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "afx/srgb.h"
@@ -13,14 +14,17 @@ namespace afx {
 namespace {
 
 constexpr unsigned kMostLevel = 11;  // of the grid of rows of sight; finer voxels share a row
-constexpr unsigned kRounds = 5;      // a neighbourhood of five voxels each way
+constexpr unsigned kFreeLevel = 8;   // whose rows are always had
+constexpr size_t kMostRows = 16;     // for each voxel, beyond that level
+constexpr float kLeastLight = 0.06F, kAddedLight = 0.59F;
+constexpr unsigned kRounds = 5;  // a neighbourhood of five voxels each way
 
-/// The first and last voxel along one axis in every row, at a level of at most kMostLevel.
+/// The first and last voxel along one axis in every row.
 class Rows {
  public:
   Rows(std::span<const uint64_t> codes, unsigned level, int axis)
       : axis_(axis),
-        shift_(level - std::min(level, kMostLevel)),
+        shift_(level - sight_level(level, codes.size())),
         side_(size_t{1} << (level - shift_)),
         first_(side_ * side_, ~uint32_t{0}),
         last_(side_ * side_, 0) {
@@ -79,10 +83,27 @@ std::vector<glm::vec3> surface_normals(std::span<const uint64_t> codes, unsigned
   return normals;
 }
 
-Rgba8 shaded_grey(const glm::vec3& normal) {
+unsigned sight_level(unsigned level, size_t voxels) {
+  unsigned sight = std::min(level, kMostLevel);
+  while (sight > kFreeLevel && (size_t{1} << (2 * sight)) / kMostRows > voxels) --sight;
+  return sight;
+}
+
+float shade_light(const glm::vec3& normal) {
   const glm::vec3 light = glm::normalize(glm::vec3(-0.45F, 0.7F, 0.8F));
   const float facing = 0.5F + 0.5F * glm::dot(normal, light);
-  const uint8_t grey = linear_to_srgb(0.06F + 0.59F * facing * facing);
+  return kLeastLight + kAddedLight * facing * facing;
+}
+
+Rgba8 shaded_colour(Rgba8 colour, const glm::vec3& normal) {
+  const std::array<float, 256>& linear = srgb_to_linear();
+  const float light = shade_light(normal) / (kLeastLight + kAddedLight);
+  return {linear_to_srgb(linear[colour.r] * light), linear_to_srgb(linear[colour.g] * light),
+          linear_to_srgb(linear[colour.b] * light), colour.a};
+}
+
+Rgba8 shaded_grey(const glm::vec3& normal) {
+  const uint8_t grey = linear_to_srgb(shade_light(normal));
   return {grey, grey, grey, 255};
 }
 

@@ -19,12 +19,25 @@ namespace afx {
 /// that is the first one seen along an axis, from either end, counts one step in that direction.
 /// The number of voxels of a patch of surface seen along an axis is the patch's area as projected
 /// along it, so the mean of the steps over a neighbourhood is its normal.
-/// Memory: 24 bytes a voxel and up to 32 MiB.
+/// Memory: 24 bytes a voxel, and for rows of sight 24 bytes times 4^sight_level: up to 96 MiB.
 std::vector<glm::vec3> surface_normals(std::span<const uint64_t> codes, unsigned level,
                                        const VoxelBlocks& blocks, unsigned threads);
 
-/// Grey as if lit from the front, the left and above. Never black, so that the
-/// far side shows its shape too; without normal half bright.
+/// The level of the grid whose rows are looked along: that of the voxels, but at most 11, and no
+/// finer than gives 16 rows for each voxel (65536 rows are always had). Voxels in finer levels
+/// share rows.
+unsigned sight_level(unsigned level, size_t voxels);
+
+/// How bright a surface with this normal is, in linear light, 0.06..0.65: as if lit from the front,
+/// the left and above. Never black, so that the far side shows its shape too; without normal
+/// between.
+float shade_light(const glm::vec3& normal);
+
+/// A colour under that light, made brighter so that where the surface faces the light it is the
+/// colour itself.
+Rgba8 shaded_colour(Rgba8 colour, const glm::vec3& normal);
+
+/// A surface that is white under shade_light().
 Rgba8 shaded_grey(const glm::vec3& normal);
 
 }  // namespace afx

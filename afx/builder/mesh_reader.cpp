@@ -20,6 +20,7 @@
 #include <string_view>
 #include <utility>
 
+#include "afx/builder/mesh_screen.h"
 #include "afx/builder/model_reader.h"
 #include "afx/builder/texture_loader.h"
 #include "afx/file.h"
@@ -32,12 +33,6 @@ constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_JoinIdenticalVerti
                             aiProcess_GenUVCoords | aiProcess_TransformUVCoords;
 // A node that is its own ancestor in some way would never end; no real file comes near.
 constexpr size_t kMostInstances = size_t{1} << 20;
-
-// sRGB as a fraction to linear light. Source: IEC 61966-2-1 (clause not checked).
-float linear_of(float srgb) {
-  const float c = glm::clamp(srgb, 0.0F, 1.0F);
-  return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
-}
 
 bool is_finite(const glm::vec3& v) {
   const auto usable = [](float c) { return std::abs(c) < 1e37F; };
@@ -69,16 +64,23 @@ class SceneConverter {
     mesh_.textures = std::move(textures_.textures());
     if (Status status = add_nodes(); !status.ok()) return status.error();
     warn();
-    if (mesh_.triangles.empty())
-      return Error{Errc::malformed, {}, "the file has no triangles (expected a mesh)", {}, {}};
+    if (mesh_.triangles.empty()) return Error{Errc::malformed, {}, no_triangles(), {}, {}};
     return std::move(mesh_);
   }
 
  private:
+  [[nodiscard]] std::string no_triangles() const {
+    if (not_finite_ + bad_indices_ == 0) return "the file has no triangles (expected a mesh)";
+    return "none of the file's " + std::to_string(not_finite_ + bad_indices_) +
+           " triangles can be used (" + std::to_string(not_finite_) +
+           " have coordinates that are not finite, " + std::to_string(bad_indices_) +
+           " name vertices that are not there)";
+  }
+
   glm::vec3 linear(const aiColor4D& colour) const {
     const glm::vec3 given(colour.r, colour.g, colour.b);
     if (linear_colours_) return glm::clamp(given, glm::vec3(0), glm::vec3(1));
-    return {linear_of(given.x), linear_of(given.y), linear_of(given.z)};
+    return {srgb_to_linear(given.x), srgb_to_linear(given.y), srgb_to_linear(given.z)};
   }
 
   // Whether the colour is one that Assimp puts where the file has none: some grey or white on a
@@ -271,6 +273,8 @@ Error import_error(const Assimp::Importer& importer, const std::string& path) {
                  "is of no kind that can be built from (Assimp: " + reason + ")",
                  {},
                  path};
+  if (reason.find("bad_alloc") != std::string::npos)
+    return Error{Errc::no_memory, {}, "does not fit into memory", {}, path};
   return Error{Errc::malformed,
                {},
                "cannot be imported (Assimp: " + (reason.empty() ? "no reason given" : reason) + ")",
@@ -288,8 +292,11 @@ bool has_linear_colours(const Assimp::Importer& importer) {
 }
 
 Status check_file(const std::string& path, const Limits& limits) {
-  const Result<MappedFile> file = MappedFile::open(path, limits);
-  return file.ok() ? Status() : Status(file.error());
+  const Result<MappedFile> file = MappedFile::open_regular(path, limits);
+  if (!file.ok()) return file.error();
+  Status status = screen_mesh_file(path, file.value().bytes(), limits);
+  if (!status.ok()) status.error().file = path;
+  return status;
 }
 
 // Whether Assimp's later steps can work on it: Debian's build ends the process where they assert
@@ -349,6 +356,12 @@ Result<SourceModel> read_source_model(const std::string& path, const Limits& lim
     cloud.error().file = path;
     return cloud.error();
   }
+  if (path == "-")
+    return Error{Errc::unsupported,
+                 {},
+                 "standard input holds no points (meshes can be read from files only)",
+                 {},
+                 path};
   Result<Mesh> mesh = read_mesh(path, limits, diagnostics);
   if (!mesh.ok()) return mesh.error();
   return SourceModel(std::move(mesh).value());

@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "afx/builder/model_reader.h"
 #include "afx/file_test_folder.h"
@@ -194,6 +197,80 @@ TEST(ReadMesh, SaysWhatIsWrong) {
     EXPECT_EQ(empty.mesh.error().code, Errc::malformed);
     EXPECT_EQ(empty.mesh.error().file, folder.path("a.obj"));
   }
+}
+
+TEST(ReadMesh, RefusesWhatWouldCostAssimpGigabytesBeforeItStarts) {
+  const TestFolder folder;
+  const Read counts = read(folder.write(
+      "a.ply",
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 150000000\nproperty list uchar int vertex_indices\n"
+      "end_header\n0 0 0\n3 0 0 0\n"));
+  ASSERT_FALSE(counts.mesh.ok());
+  EXPECT_EQ(counts.mesh.error().code, Errc::truncated);
+  EXPECT_EQ(counts.mesh.error().file, folder.path("a.ply"));
+  const Read deep = read(folder.write("a.gltf", std::string(100000, '[')));
+  ASSERT_FALSE(deep.mesh.ok());
+  EXPECT_EQ(deep.mesh.error().code, Errc::limit_exceeded);
+}
+
+TEST(ReadMesh, CountsTrianglesThatCannotBeUsed) {
+  const TestFolder folder;
+  const Read result = read(folder.write("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  ASSERT_FALSE(result.mesh.ok());
+  EXPECT_THAT(result.mesh.error().text,
+              HasSubstr("none of the file's 1 triangles can be used (1 "));
+}
+
+// A square whose materials each name a texture; every triangle of another.
+std::string square_with(const TestFolder& folder, const std::vector<std::string>& textures) {
+  std::string materials,
+      model = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+  for (size_t i = 0; i < textures.size(); ++i) {
+    const std::string name = "m" + std::to_string(i);
+    materials += "newmtl " + name + "\nKd 1 1 1\nmap_Kd " + textures[i] + "\n";
+    model += "usemtl " + name + "\nf 1/1 2/2 3/3\n";
+  }
+  folder.write("m.mtl", materials);
+  return folder.write("a.obj", model);
+}
+
+TEST(ReadMesh, ReadsAPictureOnceUnderHoweverManyNames) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), orange()).ok());
+  std::filesystem::create_symlink(folder.path("t.png"), folder.path("link.png"));
+  const Read result = read(square_with(folder, {"t.png", "./t.png", ".//./t.png", "link.png"}));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  EXPECT_THAT(result.mesh.value().textures, SizeIs(1));
+  EXPECT_THAT(result.mesh.value().triangles, SizeIs(4));
+  for (const uint32_t material : result.mesh.value().material_of)
+    EXPECT_EQ(result.mesh.value().materials[material].texture, 0U);
+}
+
+TEST(ReadMesh, KeepsAllTexturesTogetherToTheLimitOfMemory) {
+  const TestFolder folder;
+  // 3 bytes a pixel, and 6 for each of the 1024 + 256 + ... + 1 of its smaller copies.
+  constexpr uint64_t kOne = 64 * 64 * 3 + 1365 * 6;
+  const Picture picture(64, 64, 3);
+  ASSERT_TRUE(write_picture(folder.path("a.png"), picture).ok());
+  ASSERT_TRUE(write_picture(folder.path("b.png"), picture).ok());
+  const std::string path = square_with(folder, {"a.png", "b.png"});
+  for (const bool enough : {true, false}) {
+    Diagnostics diagnostics;
+    const auto mesh = read_mesh(path, {.memory = 2 * kOne - (enough ? 0 : 1)}, diagnostics);
+    ASSERT_TRUE(mesh.ok()) << mesh.error().text;
+    EXPECT_THAT(mesh.value().textures, SizeIs(enough ? 2 : 1));
+    EXPECT_EQ(diagnostics.count(), enough ? 0U : 1U);
+  }
+}
+
+TEST(ReadMesh, WaitsForNoPipe) {
+  const TestFolder folder;
+  const std::string path = folder.path("a.obj");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const Read result = read(path);
+  ASSERT_FALSE(result.mesh.ok());
+  EXPECT_EQ(result.mesh.error().code, Errc::io);
 }
 
 TEST(ReadMesh, CutAtAnyLengthNeverCrashes) {

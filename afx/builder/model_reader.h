@@ -30,10 +30,11 @@ Result<SourceModel> read_source_model(const std::string& path, const Limits& lim
 /// Warnings  texture_missing, texture_unreadable, texture_alpha (alpha is ignored),
 /// skipped_primitives
 ///           (lines and points), non_finite (vertices whose triangles are left out), bad_index
-/// Errors    io: the file cannot be opened; unsupported: Assimp has no reader for it; malformed:
-/// Assimp's own message,
-///           or no triangles; limit_exceeded: file size, or mesh beyond limits.memory;
-///           not_available (see picture_io.h)
+/// Errors    io: the file cannot be opened or is no regular file; unsupported: Assimp has no reader
+/// for it; malformed: Assimp's own message,
+///           or no triangles; limit_exceeded: file size, mesh beyond limits.memory, nested too
+///           deeply; truncated: shorter than its counts (mesh_screen.h); no_memory; not_available
+///           (see picture_io.h)
 Result<Mesh> read_mesh(const std::string& path, const Limits& limits, Diagnostics& diagnostics);
 
 /// Whether `bytes` begin like a PLY file, and if so whether it has faces (or strips) to draw.

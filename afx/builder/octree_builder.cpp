@@ -80,13 +80,33 @@ Bounds bounds_of_surface(const Mesh& mesh) {
   return bounds;
 }
 
-void shade(SurfaceVoxels& voxels, unsigned levels, unsigned threads) {
+// What a model says about the colours of its surface.
+enum class Colouring {
+  none,    // nothing
+  plain,   // one colour for each material
+  painted  // textures, or colours of vertices or points
+};
+
+Colouring colouring_of(const Mesh& mesh) {
+  if (!mesh.colours.empty()) return Colouring::painted;
+  for (const uint32_t material : mesh.material_of)
+    if (mesh.materials[material].texture != Material::kNoTexture && !mesh.texture_coords.empty())
+      return Colouring::painted;
+  return mesh.has_colours ? Colouring::plain : Colouring::none;
+}
+
+bool is_to_be_shaded(Colouring colouring, Shade shade) {
+  return shade == Shade::always || (shade == Shade::automatic && colouring != Colouring::painted);
+}
+
+void shade(SurfaceVoxels& voxels, bool coloured, unsigned levels, unsigned threads) {
   const bool known = std::any_of(voxels.normals.begin(), voxels.normals.end(),
                                  [](const glm::vec3& n) { return n != glm::vec3(0); });
   if (!known && !voxels.codes.empty())
     voxels.normals = surface_normals(voxels.codes, levels, VoxelBlocks(voxels.codes), threads);
   for (size_t i = 0; i < voxels.codes.size(); ++i)
-    voxels.colours[i] = shaded_grey(voxels.normals[i]);
+    voxels.colours[i] = coloured ? shaded_colour(voxels.colours[i], voxels.normals[i])
+                                 : shaded_grey(voxels.normals[i]);
 }
 
 // From coloured voxels to the model.
@@ -200,9 +220,9 @@ class ModelBuilder {
 };
 
 BuiltOctree finish(SurfaceVoxels voxels, const Grid& grid, const BuildOptions& options,
-                   bool coloured, uint64_t primitives, const glm::dvec3& origin) {
-  const bool shaded = !coloured && options.shade_uncoloured;
-  if (shaded) shade(voxels, grid.levels, options.threads);
+                   Colouring colouring, uint64_t primitives, const glm::dvec3& origin) {
+  const bool shaded = is_to_be_shaded(colouring, options.shade);
+  if (shaded) shade(voxels, colouring != Colouring::none, grid.levels, options.threads);
   report(options, "drawing images", 0.65);
   BuiltOctree built = ModelBuilder(std::move(voxels), grid, options).build();
   BuildStatistics& statistics = built.statistics;
@@ -229,7 +249,7 @@ Result<BuiltOctree> build_octree(const Mesh& given, const BuildOptions& options,
   const auto done = [&](double part) { report(options, "voxels", 0.6 * part); };
   Result<SurfaceVoxels> voxels = voxelize(mesh, grid, options.threads, options.limits, done);
   if (!voxels.ok()) return voxels.error();
-  return finish(std::move(voxels).value(), grid, options, mesh.has_colours, mesh.triangles.size(),
+  return finish(std::move(voxels).value(), grid, options, colouring_of(mesh), mesh.triangles.size(),
                 {});
 }
 
@@ -246,7 +266,8 @@ Result<BuiltOctree> build_octree(const PointCloud& given, const BuildOptions& op
   const glm::dvec3 origin = options.up == UpAxis::z
                                 ? glm::dvec3(given.origin.x, given.origin.z, -given.origin.y)
                                 : given.origin;
-  return finish(std::move(voxels).value(), grid, options, !cloud.colours.empty(),
+  return finish(std::move(voxels).value(), grid, options,
+                cloud.colours.empty() ? Colouring::none : Colouring::painted,
                 cloud.positions.size(), origin);
 }
 

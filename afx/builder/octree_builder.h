@@ -23,15 +23,22 @@ inline constexpr uint32_t kMaxBuildResolution = 2048;
 /// Which axis of the input points up; the model is turned so that it becomes y.
 enum class UpAxis : uint8_t { y, z };
 
+/// Whether a soft light from above and in front is painted into the voxels: nobody lights an
+/// OctreeImage later, and one colour all over shows nothing but an outline.
+enum class Shade : uint8_t {
+  automatic,  ///< meshes without textures and vertex colours, points without colours
+  always,     ///< whatever the colours
+  never
+};
+
 struct BuildOptions {
   uint32_t resolution = 256;  ///< voxels along the longest side of the object, 1..2048
   uint32_t image_size = 0;  ///< pixels along a side of the reference images, 1..4096; 0 = 2^levels
   unsigned threads = 0;     ///< 0 = all cores; the result is the same for any number
   UpAxis up = UpAxis::y;
-  /// Gives a model without any colours a soft light from above and in front, painted into its
-  /// voxels: nobody lights an OctreeImage later, and one grey all over shows nothing but an
-  /// outline.
-  bool shade_uncoloured = true;
+  /// What has no colours at all becomes grey under the light (voxel_shading.h); colours are
+  /// darkened where they face away from it.
+  Shade shade = Shade::automatic;
   /// Called as the work goes on with a stage's name and 0..1 of the whole, from any thread but from
   /// one at a time.
   std::function<void(const char* stage, double done)> progress = {};
@@ -48,7 +55,7 @@ struct BuildStatistics {
       0;  ///< dB, of the exposed voxels: colours by their images against their own; 99 = equal
   uint32_t worst = 0;   ///< of the same, the greatest difference of one component, 0..255
   uint64_t off = 0;     ///< of the same, voxels with a component that differs by more than 16
-  bool shaded = false;  ///< shade_uncoloured was applied
+  bool shaded = false;  ///< the light was painted in
   glm::dvec3 centre{0, 0, 0};  ///< of the octree's cube, in the coordinates of the input
   double side = 1;             ///< of the cube, in units of the input
 };

@@ -15,11 +15,17 @@
 namespace afx {
 namespace {
 
-BuiltOctree build(const Mesh& mesh, BuildOptions options) {
+BuiltOctree build_as_is(const Mesh& mesh, const BuildOptions& options) {
   Diagnostics diagnostics;
   auto built = build_octree(mesh, options, diagnostics);
   EXPECT_TRUE(built.ok()) << built.error().text;
   return std::move(built).value();
+}
+
+// Without light: most tests tell voxels by the colours of their materials.
+BuiltOctree build(const Mesh& mesh, BuildOptions options) {
+  options.shade = Shade::never;
+  return build_as_is(mesh, options);
 }
 
 // A cube whose six sides have six colours.
@@ -83,23 +89,62 @@ TEST(BuildOctree, OneColourNeedsOneSymbol) {
   EXPECT_EQ(built.statistics.index_symbols, 1U);
 }
 
-TEST(BuildOctree, ShadesOnlyWhatHasNoColours) {
+// Pairs of red and green in the image from the front.
+size_t colours_of(const BuiltOctree& built) {
+  std::map<std::string, int> counts;
+  const Picture& front = built.model.images[0].picture;
+  for (size_t i = 0; i < front.samples.size(); i += 3)
+    ++counts[std::to_string(front.samples[i]) + ' ' + std::to_string(front.samples[i + 1])];
+  return counts.size();
+}
+
+TEST(BuildOctree, ShadesWhatHasNoColours) {
   Mesh mesh = sphere_mesh(3);
-  const auto colours = [](const BuiltOctree& built) {
-    std::map<std::string, int> counts;
-    const Picture& front = built.model.images[0].picture;
-    for (size_t i = 0; i < front.samples.size(); i += 3)
-      ++counts[std::to_string(front.samples[i]) + ' ' + std::to_string(front.samples[i + 1])];
-    return counts.size();
-  };
-  const BuiltOctree coloured = build(mesh, {.resolution = 64});
-  EXPECT_FALSE(coloured.statistics.shaded);
-  EXPECT_EQ(colours(coloured), 1U);
   mesh.has_colours = false;
-  const BuiltOctree shaded = build(mesh, {.resolution = 64});
+  const BuiltOctree shaded = build_as_is(mesh, {.resolution = 64});
   EXPECT_TRUE(shaded.statistics.shaded);
-  EXPECT_GT(colours(shaded), 20U);
-  EXPECT_EQ(colours(build(mesh, {.resolution = 64, .shade_uncoloured = false})), 1U);
+  EXPECT_GT(colours_of(shaded), 20U);
+  const BuiltOctree flat = build_as_is(mesh, {.resolution = 64, .shade = Shade::never});
+  EXPECT_FALSE(flat.statistics.shaded);
+  EXPECT_EQ(colours_of(flat), 1U);
+}
+
+TEST(BuildOctree, ShadesPlainMaterialsInTheirColour) {
+  Mesh mesh = sphere_mesh(3);
+  mesh.materials[0].colour = {0, 1, 0};
+  const BuiltOctree built = build_as_is(mesh, {.resolution = 64});
+  EXPECT_TRUE(built.statistics.shaded);
+  EXPECT_GT(colours_of(built), 20U);
+  uint8_t brightest = 0;
+  const Picture& front = built.model.images[0].picture;
+  for (size_t i = 0; i < front.samples.size(); i += 3) {
+    EXPECT_EQ(front.samples[i], 0);
+    brightest = std::max(brightest, front.samples[i + 1]);
+  }
+  EXPECT_GE(brightest, 254);  // towards the light it is the colour itself
+}
+
+TEST(BuildOctree, PaintsNoLightOverTexturesAndColoursOfVerticesUnlessTold) {
+  Mesh painted = sphere_mesh(3);
+  painted.colours.assign(painted.positions.size(), glm::vec3(0, 1, 0));
+  EXPECT_EQ(colours_of(build_as_is(painted, {.resolution = 64})), 1U);
+  EXPECT_GT(colours_of(build_as_is(painted, {.resolution = 64, .shade = Shade::always})), 20U);
+  Picture green(1, 1, 3);
+  green.samples = {0, 255, 0};
+  Mesh textured = sphere_mesh(3);
+  textured.textures.push_back(green);
+  textured.texture_coords.resize(textured.positions.size());
+  textured.materials.push_back({.texture = 0});  // which no triangle uses
+  EXPECT_TRUE(build_as_is(textured, {.resolution = 64}).statistics.shaded);
+  textured.material_of[5] = 1;
+  EXPECT_FALSE(build_as_is(textured, {.resolution = 64}).statistics.shaded);
+  PointCloud cloud;
+  cloud.positions = painted.positions;
+  cloud.colours.assign(cloud.positions.size(), Rgba8{0, 255, 0, 255});
+  Diagnostics diagnostics;
+  const auto points = build_octree(cloud, {.resolution = 64}, diagnostics);
+  ASSERT_TRUE(points.ok());
+  EXPECT_FALSE(points.value().statistics.shaded);
 }
 
 TEST(BuildOctree, GivesTheSameForAnyNumberOfThreads) {

@@ -10,7 +10,9 @@
 #include <system_error>
 #include <utility>
 
+#include "afx/file.h"
 #include "afx/picture_io.h"
+#include "afx/scene_files.h"
 
 namespace afx {
 namespace {
@@ -40,31 +42,29 @@ std::string find_ignoring_case(const fs::path& folder, const std::string& name) 
   return found.empty() ? found : (folder / found).string();
 }
 
-// %20 and the like, in names that are urls.
-std::string percent_decoded(const std::string& text) {
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    const char l = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
-    return l >= 'a' && l <= 'f' ? l - 'a' + 10 : -1;
-  };
-  std::string result;
-  for (size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 &&
-        digit(text[i + 2]) >= 0) {
-      result += static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2]));
-      i += 2;
-    } else {
-      result += text[i];
-    }
-  }
-  return result;
-}
-
 bool has_transparency(const Picture& picture) {
   if (picture.components % 2 != 0) return false;
   for (size_t i = picture.components - 1; i < picture.samples.size(); i += picture.components)
     if (picture.samples[i] != 255) return true;
   return false;
+}
+
+// Where links and ".." are taken out, so that a file has one name.
+std::string canonical(const std::string& path) {
+  std::error_code problem;
+  const fs::path result = fs::weakly_canonical(path, problem);
+  return problem ? path : result.string();
+}
+
+// A picture and its copies of half, quarter, ... the side, with three 16-bit samples a pixel.
+uint64_t bytes_of(const Picture& picture) {
+  uint64_t bytes = picture.samples.size();
+  for (uint32_t w = picture.width, h = picture.height; w > 1 || h > 1;) {
+    w = std::max(1U, w / 2);
+    h = std::max(1U, h / 2);
+    bytes += uint64_t{w} * h * 3 * sizeof(uint16_t);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -78,9 +78,25 @@ TextureLoader::TextureLoader(const aiScene& scene, const std::string& model_path
 
 Result<std::optional<uint32_t>> TextureLoader::load(const std::string& name) {
   if (const auto at = known_.find(name); at != known_.end()) return at->second;
-  Result<Picture> picture = read(name);
+  const std::string source = source_of(name);
+  const auto same = source.empty() ? sources_.end() : sources_.find(source);
+  const Result<std::optional<uint32_t>> number =
+      same != sources_.end() ? same->second : load_source(name, source);
+  if (!number.ok()) return number.error();
+  known_[name] = number.value();
+  if (!source.empty()) sources_[source] = number.value();
+  return number;
+}
+
+Result<std::optional<uint32_t>> TextureLoader::load_source(const std::string& name,
+                                                           const std::string& source) {
+  Result<Picture> picture = read(name, source);
+  if (picture.ok() && bytes_of(picture.value()) > limits_.memory)
+    picture = Error{
+        Errc::limit_exceeded, {}, "with it the textures take more memory than the limit", {}, name};
   std::optional<uint32_t> number;
   if (picture.ok()) {
+    limits_.memory -= bytes_of(picture.value());
     if (has_transparency(picture.value()))
       diagnostics_.warn(
           "texture_alpha", {},
@@ -95,16 +111,25 @@ Result<std::optional<uint32_t>> TextureLoader::load(const std::string& name) {
         missing ? "texture_missing" : "texture_unreadable", {},
         "texture " + name + ": " + picture.error().text + "; its material's colour stands in");
   }
-  known_[name] = number;
   return number;
 }
 
-Result<Picture> TextureLoader::read(const std::string& name) const {
+// What tells pictures apart: the file without links, or "*" and the number of an embedded one;
+// empty if there is none.
+std::string TextureLoader::source_of(const std::string& name) const {
+  const auto embedded = scene_.GetEmbeddedTextureAndIndex(name.c_str());
+  if (embedded.first != nullptr) return "*" + std::to_string(embedded.second);
+  const std::string path = find_file(name);
+  return path.empty() ? path : canonical(path);
+}
+
+Result<Picture> TextureLoader::read(const std::string& name, const std::string& source) const {
   if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str()); embedded != nullptr)
     return read_embedded(*embedded, name);
-  const std::string path = find_file(name);
-  if (path.empty()) return Error{Errc::io, {}, "there is no such file", {}, name};
-  return read_picture(path, limits_);
+  if (source.empty()) return Error{Errc::io, {}, "there is no such file", {}, name};
+  const Result<MappedFile> file = MappedFile::open_regular(source, limits_);
+  if (!file.ok()) return file.error();
+  return decode_picture(file.value().bytes(), source, limits_);
 }
 
 Result<Picture> TextureLoader::read_embedded(const aiTexture& texture,
@@ -115,7 +140,7 @@ Result<Picture> TextureLoader::read_embedded(const aiTexture& texture,
     return decode_picture({reinterpret_cast<const uint8_t*>(texture.pcData), texture.mWidth},
                           name + "." + texture.achFormatHint, limits_);
   const uint64_t pixels = uint64_t{texture.mWidth} * texture.mHeight;
-  if (pixels == 0 || pixels > limits_.picture_pixels)
+  if (pixels == 0 || pixels > std::min(limits_.picture_pixels, limits_.memory / 4))
     return Error{Errc::limit_exceeded, {}, "the embedded picture is too large", {}, name};
   Picture picture(texture.mWidth, texture.mHeight, 4);
   for (size_t i = 0; i < pixels; ++i) {

@@ -18,7 +18,9 @@ struct aiTexture;
 
 namespace afx {
 
-/// Finds the pictures that the materials of an imported scene name, each once.
+/// Finds the pictures that the materials of an imported scene name, each once, under however many
+/// names. All of them together, with the smaller copies that sampling makes (texture_sampler.h),
+/// keep to limits.memory.
 class TextureLoader {
  public:
   /// model_path   the file that the scene came from: pictures are looked for relative to its folder
@@ -34,17 +36,20 @@ class TextureLoader {
   std::vector<Picture>& textures() { return textures_; }
 
  private:
-  [[nodiscard]] Result<Picture> read(const std::string& name) const;
+  Result<std::optional<uint32_t>> load_source(const std::string& name, const std::string& source);
+  [[nodiscard]] std::string source_of(const std::string& name) const;
+  [[nodiscard]] Result<Picture> read(const std::string& name, const std::string& source) const;
   [[nodiscard]] Result<Picture> read_embedded(const aiTexture& texture,
                                               const std::string& name) const;
   [[nodiscard]] std::string find_file(std::string name) const;
 
   const aiScene& scene_;
   std::string folder_;
-  const Limits& limits_;
+  Limits limits_;  // memory: what is left
   Diagnostics& diagnostics_;
   std::vector<Picture> textures_;
-  std::map<std::string, std::optional<uint32_t>> known_;
+  std::map<std::string, std::optional<uint32_t>> known_;    // by name
+  std::map<std::string, std::optional<uint32_t>> sources_;  // by what is behind the name
 };
 
 }  // namespace afx

@@ -92,8 +92,12 @@ TextureSampler::Level TextureSampler::half(size_t level) const {
 
 glm::vec3 TextureSampler::sample(glm::dvec2 place, double area, Wrap wrap_u, Wrap wrap_v) const {
   // Texels of level n have the area 4^n; that level stands for areas from half to twice as large.
-  size_t level = area > 1 ? static_cast<size_t>(std::ilogb(area) + 1) / 2 : 0;
-  level = std::min(level, levels_.size() - 1);
+  // An area beyond all of the texture, up to infinity, is the coarsest.
+  size_t level = levels_.size() - 1;
+  if (!(area > 1))
+    level = 0;
+  else if (area < 0x1p62)
+    level = std::min(level, static_cast<size_t>(std::ilogb(area) + 1) / 2);
   const Level& at = levels_[level];
   const Pair x = neighbours(into_unit(place.x, wrap_u), at.width, wrap_u);
   const Pair y =

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <initializer_list>
 
 namespace afx {
@@ -54,6 +56,17 @@ TEST(TextureSampler, OverAllOfItIsTheMeanOfItsLight) {
   for (size_t i = 0; i < 15; ++i) picture.samples[i * 6 + 3] = 255;
   const TextureSampler sampler(picture);
   EXPECT_NEAR(sampler.sample({0.3, 0.3}, 1e6, Wrap::repeat, Wrap::repeat).r, 0.15, 1e-3);
+}
+
+TEST(TextureSampler, TakesAnyArea) {
+  const Picture picture = grey_row({0, 255});
+  const TextureSampler sampler(picture);
+  const float all = sampler.sample({0.1, 0.5}, 2, Wrap::clamp, Wrap::clamp).r;
+  EXPECT_NEAR(all, 0.5, 1e-4);
+  for (const double area : {1e18, 1e300, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(sampler.sample({0.1, 0.5}, area, Wrap::clamp, Wrap::clamp).r, all);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(sampler.sample({0.1, 0.5}, nan, Wrap::clamp, Wrap::clamp).r, 0);
 }
 
 TEST(TextureSampler, LooksAtNoAlpha) {
