@@ -61,8 +61,8 @@ Status check_sizes(const Scene& scene, const RenderOptions& options, const Limit
   uint64_t voxels = 0;
   for (const VoxelCloud& cloud : scene.voxels) voxels += cloud.codes.size();
   const uint64_t pixels = uint64_t{options.width} * options.height;
-  // A splat and up to four places in tiles; mostly one.
-  const uint64_t bytes = voxels * (sizeof(Splat) + 8) + pixels * (options.depth ? 8 : 4);
+  // A splat and one to four places in cells.
+  const uint64_t bytes = voxels * (sizeof(Splat) + 16) + pixels * (options.depth ? 8 : 4);
   if (voxels < uint64_t{1} << 30 && bytes <= limits.memory && pixels <= limits.picture_pixels) {
     return {};
   }

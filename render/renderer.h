@@ -54,7 +54,7 @@ struct RenderedImage {
 /// The background shows through by the part of the pixel that no splat covers. Voxels whose centre
 /// lies nearer than the near plane are left out. Towards the sides of very wide views (beyond about
 /// 120 degrees) splats are larger than they should be. Time grows with the number of voxels and the
-/// pixels they cover; memory is about 36 bytes a voxel and 4 (with depth 8) a pixel.
+/// pixels they cover; memory is at most 44 bytes a voxel and 4 (with depth 8) a pixel.
 ///
 /// Errors  bad_argument: the camera, the options or a cloud is out of range (the text names it);
 ///         limit_exceeded: more pixels or memory than `limits`

@@ -9,19 +9,18 @@
 namespace afx::render {
 namespace {
 
-constexpr size_t kMostChunks = 64;     // of a cloud; each holds a counter for each tile
+constexpr size_t kMostChunks = 64;     // of a cloud; each holds a counter for each cell
 constexpr size_t kLeastChunk = 16384;  // voxels
 
-uint32_t tile_at(float place, float tile, uint32_t count) {
-  return static_cast<uint32_t>(std::clamp(place / tile, 0.0F, static_cast<float>(count - 1)));
+uint32_t cell_at(float place, float side, uint32_t count) {
+  return static_cast<uint32_t>(std::clamp(place / side, 0.0F, static_cast<float>(count - 1)));
 }
 
 }  // namespace
 
 SplatTiles::SplatTiles(const Scene& scene, const Camera& camera, const RenderOptions& options)
-    : columns_((options.width + kTile - 1) / kTile),
-      rows_((options.height + kTile - 1) / kTile),
-      tile_samples_(static_cast<float>(kTile * options.samples)) {
+    : columns_((options.width + kTile - 1) / kTile), rows_((options.height + kTile - 1) / kTile) {
+  make_grids(static_cast<float>(kTile * options.samples));
   make_chunks(scene);
   std::vector<SplatProjection> projections;
   for (const VoxelCloud& cloud : scene.voxels) projections.emplace_back(cloud, camera, options);
@@ -34,6 +33,17 @@ SplatTiles::SplatTiles(const Scene& scene, const Camera& camera, const RenderOpt
   place_chunks();
   parallel_for(chunks_.size(), options.threads, [&](size_t i) { fill_chunk(chunks_[i]); });
   chunks_.clear();
+}
+
+void SplatTiles::make_grids(float tile) {
+  uint32_t columns = columns_, rows = rows_;
+  for (float side = tile;; side *= 2) {
+    grids_.push_back({side, columns, rows, cells_});
+    cells_ += size_t{columns} * rows;
+    if (columns == 1 && rows == 1) return;
+    columns = (columns + 1) / 2;
+    rows = (rows + 1) / 2;
+  }
 }
 
 void SplatTiles::make_chunks(const Scene& scene) {
@@ -54,63 +64,55 @@ void SplatTiles::make_chunks(const Scene& scene) {
   splats_ = std::make_unique_for_overwrite<Splat[]>(total);
 }
 
-bool SplatTiles::is_large(const Splat& splat) const { return 2 * splat.radius > tile_samples_; }
-
-SplatTiles::Range SplatTiles::tiles_of(const Splat& s) const {
-  return {tile_at(s.x - s.radius, tile_samples_, columns_),
-          tile_at(s.x + s.radius, tile_samples_, columns_),
-          tile_at(s.y - s.radius, tile_samples_, rows_),
-          tile_at(s.y + s.radius, tile_samples_, rows_)};
-}
-
-void SplatTiles::count_chunk(Chunk& chunk) {
-  chunk.cursors.assign(size_t{columns_} * rows_, 0);
-  for (size_t i = chunk.first_splat; i < chunk.first_splat + chunk.splats; ++i) {
-    if (is_large(splats_[i])) {
-      chunk.large.push_back(static_cast<uint32_t>(i));
-      continue;
-    }
-    const Range range = tiles_of(splats_[i]);
-    for (uint32_t y = range.y0; y <= range.y1; ++y) {
-      for (uint32_t x = range.x0; x <= range.x1; ++x) ++chunk.cursors[size_t{y} * columns_ + x];
+/// Visits the numbers of the cells that the splat is put into.
+template <class Visit>
+void SplatTiles::for_cells(const Splat& s, const Visit& visit) const {
+  size_t level = 0;
+  while (level + 1 < grids_.size() && 2 * s.radius > grids_[level].side) ++level;
+  const Grid& grid = grids_[level];
+  const uint32_t x1 = cell_at(s.x + s.radius, grid.side, grid.columns);
+  const uint32_t y1 = cell_at(s.y + s.radius, grid.side, grid.rows);
+  for (uint32_t y = cell_at(s.y - s.radius, grid.side, grid.rows); y <= y1; ++y) {
+    for (uint32_t x = cell_at(s.x - s.radius, grid.side, grid.columns); x <= x1; ++x) {
+      visit(grid.first + size_t{y} * grid.columns + x);
     }
   }
 }
 
-/// Turns counts into places: tile by tile, and in a tile chunk by chunk.
+void SplatTiles::count_chunk(Chunk& chunk) {
+  chunk.cursors.assign(cells_, 0);
+  for (size_t i = chunk.first_splat; i < chunk.first_splat + chunk.splats; ++i) {
+    for_cells(splats_[i], [&](size_t cell) { ++chunk.cursors[cell]; });
+  }
+}
+
+/// Turns counts into places: cell by cell, and in a cell chunk by chunk.
 void SplatTiles::place_chunks() {
-  const size_t tiles = size_t{columns_} * rows_;
-  starts_.reserve(tiles + 1);
+  starts_.reserve(cells_ + 1);
   uint32_t next = 0;
-  for (size_t tile = 0; tile < tiles; ++tile) {
+  for (size_t cell = 0; cell < cells_; ++cell) {
     starts_.push_back(next);
     for (Chunk& chunk : chunks_) {
-      const uint32_t count = chunk.cursors[tile];
-      chunk.cursors[tile] = next;
-      next += count;  // at most four tiles for each of fewer than 2^30 splats
+      const uint32_t count = chunk.cursors[cell];
+      chunk.cursors[cell] = next;
+      next += count;  // at most four cells for each of fewer than 2^30 splats
     }
   }
   starts_.push_back(next);
   entries_.resize(next);
-  for (const Chunk& chunk : chunks_)
-    large_.insert(large_.end(), chunk.large.begin(), chunk.large.end());
 }
 
 void SplatTiles::fill_chunk(Chunk& chunk) {
   for (size_t i = chunk.first_splat; i < chunk.first_splat + chunk.splats; ++i) {
-    if (is_large(splats_[i])) continue;
-    const Range range = tiles_of(splats_[i]);
-    for (uint32_t y = range.y0; y <= range.y1; ++y) {
-      for (uint32_t x = range.x0; x <= range.x1; ++x) {
-        entries_[chunk.cursors[size_t{y} * columns_ + x]++] = static_cast<uint32_t>(i);
-      }
-    }
+    for_cells(splats_[i],
+              [&](size_t cell) { entries_[chunk.cursors[cell]++] = static_cast<uint32_t>(i); });
   }
 }
 
-std::span<const uint32_t> SplatTiles::small(uint32_t column, uint32_t row) const {
-  const size_t tile = size_t{row} * columns_ + column;
-  return {entries_.data() + starts_[tile], starts_[tile + 1] - starts_[tile]};
+std::span<const uint32_t> SplatTiles::around(uint32_t level, uint32_t column, uint32_t row) const {
+  const Grid& grid = grids_[level];
+  const size_t cell = grid.first + size_t{row >> level} * grid.columns + (column >> level);
+  return {entries_.data() + starts_[cell], starts_[cell + 1] - starts_[cell]};
 }
 
 }  // namespace afx::render

@@ -17,8 +17,12 @@ namespace afx::render {
 /// The side of a tile in pixels.
 inline constexpr uint32_t kTile = 32;
 
-/// All splats of a picture, sorted into square tiles. Within a tile they keep their order in the
-/// scene, the large ones (wider than a tile) first; so what is drawn does not depend on threads.
+/// All splats of a picture, sorted into square cells. The cells of level 0 are the tiles, those of
+/// level n are 2^n tiles wide; at the top one cell holds the whole picture. A splat lies in the
+/// finest level whose cells are as wide as it is, there in the one to four cells that it touches:
+/// so large splats cost no more memory than small ones, and tiles they are far from do not see
+/// them. Within a cell splats keep their order in the scene; so what is drawn does not depend on
+/// threads.
 class SplatTiles {
  public:
   /// scene, camera, options   checked; fewer than 2^30 voxels in all
@@ -26,10 +30,11 @@ class SplatTiles {
 
   [[nodiscard]] uint32_t columns() const { return columns_; }
   [[nodiscard]] uint32_t rows() const { return rows_; }
-  /// Numbers of the splats that may touch every tile.
-  [[nodiscard]] std::span<const uint32_t> large() const { return large_; }
-  /// Numbers of the others that touch a tile.
-  [[nodiscard]] std::span<const uint32_t> small(uint32_t column, uint32_t row) const;
+  [[nodiscard]] uint32_t levels() const { return static_cast<uint32_t>(grids_.size()); }
+  /// Numbers of the splats of a level in the cell around a tile. Together the levels hold every
+  /// splat that touches the tile, each once; at levels above 0 also some that do not.
+  [[nodiscard]] std::span<const uint32_t> around(uint32_t level, uint32_t column,
+                                                 uint32_t row) const;
   [[nodiscard]] const Splat& splat(uint32_t number) const { return splats_[number]; }
 
  private:
@@ -40,27 +45,30 @@ class SplatTiles {
     size_t voxels = 0;
     size_t first_splat = 0;
     size_t splats = 0;
-    std::vector<uint32_t> cursors;  // for each tile: first a count, then where to write next
-    std::vector<uint32_t> large;
+    std::vector<uint32_t> cursors;  // for each cell: first a count, then where to write next
   };
-  struct Range {
-    uint32_t x0, x1, y0, y1;  // tiles, both ends included
+  /// The cells of one level.
+  struct Grid {
+    float side;  // of a cell, in samples
+    uint32_t columns, rows;
+    size_t first;  // the number of its first cell among all
   };
 
+  void make_grids(float tile);
   void make_chunks(const Scene& scene);
   void count_chunk(Chunk& chunk);
   void place_chunks();
   void fill_chunk(Chunk& chunk);
-  [[nodiscard]] bool is_large(const Splat& splat) const;
-  [[nodiscard]] Range tiles_of(const Splat& splat) const;
+  template <class Visit>
+  void for_cells(const Splat& splat, const Visit& visit) const;
 
   uint32_t columns_, rows_;
-  float tile_samples_;
+  std::vector<Grid> grids_;  // by level
+  size_t cells_ = 0;         // of all levels
   std::unique_ptr<Splat[]> splats_;
   std::vector<Chunk> chunks_;
-  std::vector<uint32_t> starts_;  // of each tile in entries_, and the end
+  std::vector<uint32_t> starts_;  // of each cell in entries_, and the end
   std::vector<uint32_t> entries_;
-  std::vector<uint32_t> large_;
 };
 
 }  // namespace afx::render

@@ -133,18 +133,28 @@ void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) const {
   }
 }
 
+/// The splats of the tile, the largest first; without those that share its cell only.
+void TilePainter::collect(const SplatTiles& tiles, uint32_t column, uint32_t row) {
+  touching_.clear();
+  const auto side = static_cast<float>(side_);
+  for (uint32_t level = tiles.levels(); level-- > 0;) {
+    for (const uint32_t number : tiles.around(level, column, row)) {
+      const Splat& s = tiles.splat(number);
+      if (s.x + s.radius >= left_ && s.x - s.radius <= left_ + side && s.y + s.radius >= top_ &&
+          s.y - s.radius <= top_ + side)
+        touching_.push_back(number);
+    }
+  }
+}
+
 void TilePainter::paint(const SplatTiles& tiles, uint32_t column, uint32_t row,
                         RenderedImage& image) {
   clear();
   left_ = static_cast<float>(column * side_);
   top_ = static_cast<float>(row * side_);
-  const std::span<const uint32_t> lists[] = {tiles.large(), tiles.small(column, row)};
-  for (const auto& list : lists) {
-    for (const uint32_t number : list) lay_depth(tiles.splat(number));
-  }
-  for (const auto& list : lists) {
-    for (const uint32_t number : list) lay_colour(tiles.splat(number));
-  }
+  collect(tiles, column, row);
+  for (const uint32_t number : touching_) lay_depth(tiles.splat(number));
+  for (const uint32_t number : touching_) lay_colour(tiles.splat(number));
   resolve(column * kTile, row * kTile, image);
 }
 

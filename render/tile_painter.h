@@ -12,7 +12,8 @@
 
 namespace afx::render {
 
-/// Draws one tile after another, at n x n samples a pixel. For one thread; holds 20 bytes a sample.
+/// Draws one tile after another, at n x n samples a pixel. For one thread; holds 20 bytes a
+/// sample and 4 for each splat that touches the tile.
 class TilePainter {
  public:
   explicit TilePainter(const RenderOptions& options);
@@ -33,6 +34,7 @@ class TilePainter {
   };
 
   void clear();
+  void collect(const SplatTiles& tiles, uint32_t column, uint32_t row);
   void lay_depth(const Splat& splat);
   void lay_colour(const Splat& splat);
   template <class Visit>
@@ -45,6 +47,7 @@ class TilePainter {
   float left_ = 0, top_ = 0;   // of the tile, in samples
   std::vector<float> depths_;  // of the nearest disc, row by row; infinite where none is
   std::vector<Sum> sums_;
+  std::vector<uint32_t> touching_;  // numbers of the splats of the tile
 };
 
 }  // namespace afx::render
