@@ -5,9 +5,11 @@
 // folders given, every truncation of the small ones, and random corruptions of all from a fixed
 // seed.
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -66,9 +68,23 @@ void corrupt(Bytes& data, std::mt19937& random) {
   }
 }
 
+/// AFX_FUZZ_RUNS, a plain number; false: it is something else.
+bool read_runs(size_t& runs) {
+  const char* wanted = std::getenv("AFX_FUZZ_RUNS");
+  if (wanted == nullptr) return true;
+  const char* end = wanted + std::strlen(wanted);
+  const auto parsed = std::from_chars(wanted, end, runs);
+  return parsed.ec == std::errc() && parsed.ptr == end;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  size_t corruptions = 100000;
+  if (!read_runs(corruptions)) {
+    std::fprintf(stderr, "AFX_FUZZ_RUNS is no number\n");
+    return 1;
+  }
   const std::vector<Bytes> corpus = read_corpus(argc - 1, argv + 1);
   if (corpus.empty()) {
     std::fprintf(stderr, "no corpus files: nothing was tested\n");
@@ -82,8 +98,6 @@ int main(int argc, char** argv) {
       run(Bytes(data.begin(), data.begin() + static_cast<ptrdiff_t>(size)));
     }
   }
-  const char* wanted = std::getenv("AFX_FUZZ_RUNS");
-  const size_t corruptions = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 100000;
   std::mt19937 random(1);
   for (size_t i = 0; i < corruptions; ++i, ++runs) {
     Bytes data = corpus[random() % corpus.size()];

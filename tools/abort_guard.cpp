@@ -4,17 +4,34 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <vector>
 
 #include "afx/file.h"
 #include "tools/session.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+#define AFX_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define AFX_ADDRESS_SANITIZER 1
+#endif
+#endif
+
 namespace afx::tools {
 namespace {
 
+#ifdef AFX_ADDRESS_SANITIZER
+constexpr std::array kSignals{SIGABRT};
+#else
+constexpr std::array kSignals{SIGABRT, SIGSEGV, SIGBUS, SIGFPE};
+#endif
+constexpr size_t kStackBytes = size_t{64} << 10;
+
 std::string g_message;  // composed beforehand: the handler may only write
 
-extern "C" void on_abort(int /*signal*/) {
+extern "C" void on_crash(int /*signal*/) {
   remove_temporary_files();
   const ssize_t written = write(STDERR_FILENO, g_message.data(), g_message.size());
   (void)written;
@@ -23,11 +40,31 @@ extern "C" void on_abort(int /*signal*/) {
 
 }  // namespace
 
-AbortGuard::AbortGuard(const std::string& path) {
-  g_message = "afx: " + path + ": cannot be imported (the model library gave up on it)\n";
-  std::signal(SIGABRT, on_abort);
+struct AbortGuard::Before {
+  std::array<struct sigaction, kSignals.size()> actions{};
+  stack_t old_stack{};
+  std::vector<char> stack = std::vector<char>(kStackBytes);
+};
+
+AbortGuard::AbortGuard(const std::string& path) : before_(std::make_unique<Before>()) {
+  g_message =
+      "afx: " + printable(path) + ": cannot be imported (the model library gave up on it)\n";
+  stack_t own{};  // an overflown stack has no room for the handler
+  own.ss_sp = before_->stack.data();
+  own.ss_size = before_->stack.size();
+  sigaltstack(&own, &before_->old_stack);
+  struct sigaction action {};
+  action.sa_handler = on_crash;
+  action.sa_flags = SA_ONSTACK;
+  sigemptyset(&action.sa_mask);
+  for (size_t i = 0; i < kSignals.size(); ++i)
+    sigaction(kSignals[i], &action, &before_->actions[i]);
 }
 
-AbortGuard::~AbortGuard() { std::signal(SIGABRT, SIG_DFL); }
+AbortGuard::~AbortGuard() {
+  for (size_t i = 0; i < kSignals.size(); ++i)
+    sigaction(kSignals[i], &before_->actions[i], nullptr);
+  sigaltstack(&before_->old_stack, nullptr);
+}
 
 }  // namespace afx::tools

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 
 namespace afx::tools {
@@ -17,6 +18,19 @@ TEST(AbortGuard, TurnsAnAbortIntoOneLineAndExitThree) {
       },
       testing::ExitedWithCode(3), "^afx: bad.obj: cannot be imported");
 }
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(AbortGuard, TurnsBadMemoryIntoTheSame) {
+  for (const int signal : {SIGSEGV, SIGBUS}) {
+    EXPECT_EXIT(
+        {
+          const AbortGuard guard("bad\x1b.obj");
+          std::raise(signal);
+        },
+        testing::ExitedWithCode(3), "^afx: bad.x1b.obj: cannot be imported");
+  }
+}
+#endif
 
 TEST(AbortGuard, IsGoneWithItsScope) {
   EXPECT_EXIT(

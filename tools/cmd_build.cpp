@@ -27,7 +27,8 @@ struct BuildCommand {
   uint32_t image_size = 0;
   std::string image_format = "png";
   int jpeg_quality = 90;
-  std::string up = "y";
+  std::string shade = "auto";
+  std::string up;  ///< empty: not given, y
 };
 
 /// The scene of a built model, in the input's own coordinates.
@@ -70,46 +71,58 @@ Result<BuiltOctree> build_from_file(const BuildCommand& command, const Session& 
   options.image_size = command.image_size;
   options.threads = session.options.threads;
   options.up = command.up == "z" ? UpAxis::z : UpAxis::y;
+  if (command.shade == "always") options.shade = Shade::always;
+  if (command.shade == "never") options.shade = Shade::never;
   options.limits = session.limits;
   options.progress = [&bar](const char* stage, double done) { bar.show(stage, done); };
   return std::visit([&](const auto& model) { return build_octree(model, options, diagnostics); },
                     source.value());
 }
 
-void report(const BuildCommand& command, const BuiltOctree& built, uint64_t image_bytes,
-            uint64_t scene_bytes, const Session& session) {
+/// What there is to say of it, for people.
+std::vector<std::string> lines_of(const BuildCommand& command, const BuiltOctree& built,
+                                  uint64_t image_bytes, uint64_t scene_bytes) {
   const BuildStatistics& s = built.statistics;
-  const size_t images = built.model.images.size();
-  session.say(command.output + ": " + grouped(scene_bytes) + " bytes of scene text");
-  session.say("  voxels: " + grouped(s.voxels) + " at resolution " +
-              std::to_string(built.model.resolution) + ", from " + grouped(s.primitives) +
-              " triangles or points");
-  session.say("  octree: " + grouped(built.model.fields.octree.size()) + " bytes; image indices: " +
-              grouped(built.model.fields.voxel_image_index.size()) + " symbols");
-  session.say(
-      "  images: " + std::to_string(images) + ", " + grouped(image_bytes) + " bytes; they show " +
-      fixed(s.exposed == 0 ? 100
-                           : 100.0 * static_cast<double>(s.seen) / static_cast<double>(s.exposed),
-            1) +
-      " % of the outside, colours at " + fixed(s.psnr, 1) + " dB");
-  session.result({{"output", command.output},
-                  {"sceneBytes", scene_bytes},
-                  {"octreeResolution", built.model.resolution},
-                  {"primitives", s.primitives},
-                  {"voxels", s.voxels},
-                  {"octreeBytes", built.model.fields.octree.size()},
-                  {"voxelImageIndexSymbols", built.model.fields.voxel_image_index.size()},
-                  {"images", images},
-                  {"imageBytes", image_bytes},
-                  {"exposedVoxels", s.exposed},
-                  {"seenVoxels", s.seen},
-                  {"psnr", s.psnr},
-                  {"shaded", s.shaded}});
+  const double seen =
+      s.exposed == 0 ? 100 : 100.0 * static_cast<double>(s.seen) / static_cast<double>(s.exposed);
+  std::vector<std::string> lines{
+      command.output + ": " + counted(scene_bytes, "byte") + " of scene text",
+      "  voxels: " + grouped(s.voxels) + " at resolution " +
+          std::to_string(built.model.resolution) + ", from " + grouped(s.primitives) +
+          " triangles or points",
+      "  octree: " + counted(built.model.fields.octree.size(), "byte") +
+          "; image indices: " + counted(built.model.fields.voxel_image_index.size(), "symbol"),
+      "  images: " + std::to_string(built.model.images.size()) + ", " +
+          counted(image_bytes, "byte") + "; they show " + fixed(seen, 1) +
+          " % of the outside, colours at " + fixed(s.psnr, 1) + " dB"};
+  const std::string ending = ending_of(command.inputs.front());
+  if (command.up.empty() && (ending == "stl" || ending == "3ds")) {
+    lines.push_back("  up: the y axis; files of this kind often mean z, which --up z takes");
+  }
+  return lines;
+}
+
+nlohmann::ordered_json json_of(const BuildCommand& command, const BuiltOctree& built,
+                               uint64_t image_bytes, uint64_t scene_bytes) {
+  const BuildStatistics& s = built.statistics;
+  return {{"output", command.output},
+          {"sceneBytes", scene_bytes},
+          {"octreeResolution", built.model.resolution},
+          {"primitives", s.primitives},
+          {"voxels", s.voxels},
+          {"octreeBytes", built.model.fields.octree.size()},
+          {"voxelImageIndexSymbols", built.model.fields.voxel_image_index.size()},
+          {"images", built.model.images.size()},
+          {"imageBytes", image_bytes},
+          {"exposedVoxels", s.exposed},
+          {"seenVoxels", s.seen},
+          {"psnr", s.psnr},
+          {"shaded", s.shaded}};
 }
 
 /// Encodes the pictures and puts everything in; returns an exit code.
-int write(const BuildCommand& command, const BuiltOctree& built, OutputFiles& outputs,
-          const Session& session) {
+int write(const BuildCommand& command, const std::string& format, const BuiltOctree& built,
+          OutputFiles& outputs, const Session& session) {
   const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
   std::vector<std::string> names;
   uint64_t image_bytes = 0;
@@ -124,16 +137,14 @@ int write(const BuildCommand& command, const BuiltOctree& built, OutputFiles& ou
       return session.fail(put.error());
   }
   const nodes::Scene scene = compose(built, names);
-  const std::string text =
-      nodes::write_scene_text(scene, {.vrml_header = !command.output.ends_with(".bt")});
+  const std::string text = nodes::write_scene_text(scene, {.vrml_header = format != "bt"});
   if (!session.options.dry_run) {
     const auto* bytes = reinterpret_cast<const uint8_t*>(text.data());
     if (Status put = outputs.put(command.output, {bytes, text.size()}); !put.ok())
       return session.fail(put.error());
-    if (Status done = outputs.commit(); !done.ok()) return session.fail(done.error());
   }
-  report(command, built, image_bytes, text.size(), session);
-  return kDone;
+  return session.finish(outputs, command.output, lines_of(command, built, image_bytes, text.size()),
+                        json_of(command, built, image_bytes, text.size()));
 }
 
 /// Asks before the long work whether the outputs may be written.
@@ -146,21 +157,39 @@ Status check_outputs(const BuildCommand& command, const OutputFiles& outputs) {
   return outputs.check(command.output);
 }
 
+/// Refuses what certainly is no mesh, before the model library finds words for it.
+Status check_input(const std::string& path, const Limits& limits) {
+  const auto file = MappedFile::open(path, limits);
+  if (!file.ok()) return file.error();
+  const Kind content = kind_of_content(file.value().bytes());
+  const Kind kind = content == Kind::unknown ? kind_of_ending(path) : content;
+  if (kind == Kind::not_yet) return not_in_this_version(path);
+  if (kind == Kind::model || kind == Kind::unknown) return {};
+  return Error{Errc::unsupported,
+               Place::none(),
+               std::string("is ") + describe(kind) + " (expected a mesh or coloured points)",
+               {},
+               path};
+}
+
 int build(const BuildCommand& command, const Session& session) {
   if (command.inputs.size() > 1)
     return session.usage("this version builds from one INPUT at a time");
-  if (kind_of_ending(command.output) != Kind::scene_text) {
-    return session.usage("cannot build " + command.output + " (expected -o NAME.wrl or NAME.bt)");
-  }
+  constexpr const char* kOutputs[] = {"wrl", "bt"};
+  std::string format;
+  if (const int code = output_format(session, command.output, {}, kOutputs, format); code != kDone)
+    return code;
   OutputFiles outputs(session.options.overwrite);
   if (Status free = check_outputs(command, outputs); !free.ok())
     return session.fail(free.error(), command.output);
+  const std::string& input = command.inputs.front();
+  if (Status fits = check_input(input, session.limits); !fits.ok())
+    return session.fail(fits.error(), input);
   Diagnostics diagnostics;
   const auto built = build_from_file(command, session, diagnostics);
-  if (!built.ok()) return session.fail(built.error(), command.inputs.front());
-  if (const int code = session.warn(diagnostics, command.inputs.front()); code != kDone)
-    return code;
-  return write(command, built.value(), outputs, session);
+  if (!built.ok()) return session.fail(built.error(), input, diagnostics);
+  if (const int code = session.warn(diagnostics, input); code != kDone) return code;
+  return write(command, format, built.value(), outputs, session);
 }
 
 }  // namespace
@@ -191,10 +220,19 @@ void add_build(CLI::App& program, Session& session) {
   command->add_option("--jpeg-quality", options->jpeg_quality, "Quality of JPEG images")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command->add_option("--up", options->up, "Axis of the input that points up")
-      ->check(CLI::IsMember({"y", "z"}))
+  command
+      ->add_option(
+          "--up", options->up,
+          "Axis of the input that points up: y (default) or z, as most scans, CAD and .stl "
+          "files have it")
+      ->check(CLI::IsMember({"y", "z"}));
+  command
+      ->add_option(
+          "--shade", options->shade,
+          "Soft light painted into the colours: auto = where the model has none of its own")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
-  add_common_options(*command, session, true);
+  add_common_options(*command, session, {.outputs = true, .progress = true});
   command->callback([options, &session] {
     session.command = "build";
     session.exit = build(*options, session);

@@ -10,6 +10,7 @@
 #include "afx/octree_stream.h"
 #include "afx/picture_compare.h"
 #include "afx/picture_io.h"
+#include "codec/octree_voxels.h"
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/session.h"
@@ -23,6 +24,7 @@ struct CompareOptions {
   std::string inputs[2];
   std::optional<uint32_t> resolution;
   std::string node;
+  std::string input_format;
 };
 
 /// What there is to say of a comparison. different: the exit code is 4.
@@ -55,6 +57,74 @@ std::string difference_of(const char* field, const std::vector<uint8_t>& a,
          std::to_string(at.first - a.begin()) + ": " + value(at.first, a.end()) + " and " +
          value(at.second, b.end()) + " (lengths " + std::to_string(a.size()) + " and " +
          std::to_string(b.size()) + ")";
+}
+
+/// How far apart the voxels of two octrees are, frame by frame.
+struct VoxelDistance {
+  uint64_t only_a = 0;
+  uint64_t only_b = 0;
+  uint64_t both = 0;
+  uint64_t other_image = 0;  ///< of those in both, coloured by another image
+};
+
+/// A frame as voxels and the images they have; two parallel lists.
+struct FrameVoxels {
+  std::vector<uint64_t> codes;
+  std::vector<uint8_t> images;
+};
+
+Result<FrameVoxels> voxels_of(const OctreeFields& fields, unsigned levels, const Limits& limits) {
+  auto codes = codec::octree_morton(fields.octree, levels, levels, limits);
+  if (!codes.ok()) return std::move(codes).error();
+  auto images = codec::octree_voxel_images(fields, levels, levels, limits);
+  if (!images.ok()) return std::move(images).error();
+  return FrameVoxels{std::move(codes).value(), std::move(images).value()};
+}
+
+void add_distance(const FrameVoxels& a, const FrameVoxels& b, VoxelDistance& distance) {
+  size_t i = 0;
+  size_t j = 0;
+  while (i < a.codes.size() && j < b.codes.size()) {
+    if (a.codes[i] == b.codes[j]) {
+      ++distance.both;
+      if (a.images[i] != b.images[j]) ++distance.other_image;
+      ++i;
+      ++j;
+    } else if (a.codes[i] < b.codes[j]) {
+      ++distance.only_a;
+      ++i;
+    } else {
+      ++distance.only_b;
+      ++j;
+    }
+  }
+  distance.only_a += a.codes.size() - i;
+  distance.only_b += b.codes.size() - j;
+}
+
+/// Adds how far apart two streams are to what is said, if their voxels can be laid side by side.
+void measure(const OctreeStream& a, const OctreeStream& b, const Limits& limits, Verdict& verdict) {
+  const unsigned levels = octree_levels(a.resolution);
+  if (levels != octree_levels(b.resolution) || levels > codec::kMortonLevels) return;
+  if (a.frames.size() != b.frames.size()) return;
+  Limits half = limits;  // for each of the two, eleven bytes a voxel while it works
+  half.octree_nodes = std::min(limits.octree_nodes, limits.memory / 2 / 11);
+  VoxelDistance d;
+  for (size_t i = 0; i < a.frames.size(); ++i) {
+    const auto x = voxels_of(a.frames[i], levels, half);
+    const auto y = voxels_of(b.frames[i], levels, half);
+    if (!x.ok() || !y.ok()) return;
+    add_distance(x.value(), y.value(), d);
+  }
+  const double share =
+      d.both == 0 ? 0 : static_cast<double>(d.other_image) / static_cast<double>(d.both);
+  verdict.json["voxelsOnlyA"] = d.only_a;
+  verdict.json["voxelsOnlyB"] = d.only_b;
+  verdict.json["voxelsBoth"] = d.both;
+  verdict.json["otherImageShare"] = share;
+  verdict.text += "\nvoxels: " + grouped(d.only_a) + " in A only, " + grouped(d.only_b) +
+                  " in B only, " + grouped(d.both) + " in both; " + fixed(share * 100, 2) +
+                  " % of those have another image";
 }
 
 Verdict compare_octrees(const OctreeStream& a, const OctreeStream& b) {
@@ -104,7 +174,7 @@ Result<Verdict> compare_two_pictures(const Input& a, const Input& b, const Limit
             {"ssim", d.ssim}};
   if (std::isfinite(d.psnr)) json["psnr"] = d.psnr;
   if (d.differing_pixels == 0) return same("the pictures are the same", json);
-  return differ("the pictures differ in " + grouped(d.differing_pixels) + " pixels: PSNR " +
+  return differ("the pictures differ in " + counted(d.differing_pixels, "pixel") + ": PSNR " +
                     fixed(d.psnr, 2) + " dB, SSIM " + fixed(d.ssim, 4) + ", greatest difference " +
                     std::to_string(d.max_abs),
                 json);
@@ -154,37 +224,46 @@ int compare_octree_files(const Input& a, const Input& b, const CompareOptions& o
                          const Session& session, Diagnostics (&diagnostics)[2]) {
   bool missing_is_usage = false;
   const auto first = octrees_of(a, options, session, diagnostics[0], missing_is_usage);
-  const auto second = first.ok() ? octrees_of(b, options, session, diagnostics[1], missing_is_usage)
-                                 : Result<OctreeStream>(OctreeStream{});
-  if (first.ok() && second.ok())
-    return report(compare_octrees(first.value(), second.value()), session);
-  const int code =
-      first.ok() ? session.fail(second.error(), b.path) : session.fail(first.error(), a.path);
-  return missing_is_usage ? kUsage : code;
+  if (!first.ok()) return session.fail_query(first.error(), missing_is_usage, a.path);
+  const auto second = octrees_of(b, options, session, diagnostics[1], missing_is_usage);
+  if (!second.ok()) return session.fail_query(second.error(), missing_is_usage, b.path);
+  Verdict verdict = compare_octrees(first.value(), second.value());
+  if (verdict.different) measure(first.value(), second.value(), session.limits, verdict);
+  return report(verdict, session);
+}
+
+int compare_inputs(const Input& a, const Input& b, const CompareOptions& options,
+                   const Session& session, Diagnostics (&diagnostics)[2]) {
+  const bool pictures = a.kind == Kind::picture;
+  if (pictures != (b.kind == Kind::picture)) {
+    return session.usage("cannot compare a picture with " +
+                         std::string(describe(pictures ? b.kind : a.kind)));
+  }
+  if (pictures) {
+    const auto verdict = compare_two_pictures(a, b, session.limits);
+    return verdict.ok() ? report(verdict.value(), session) : session.fail(verdict.error(), a.path);
+  }
+  if (a.kind == Kind::scene_text && b.kind == Kind::scene_text && options.node.empty())
+    return compare_scene_files(a, b, session, diagnostics);
+  return compare_octree_files(a, b, options, session, diagnostics);
 }
 
 int compare(const CompareOptions& options, const Session& session) {
+  constexpr const char* kInputs[] = {"afx", "oct", "wrl", "bt", "png"};
+  if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
+    return code;
   Diagnostics diagnostics[2];
-  const auto a = open_input(options.inputs[0], {}, session.limits, diagnostics[0]);
+  const auto a =
+      open_input(options.inputs[0], options.input_format, session.limits, diagnostics[0]);
   if (!a.ok()) return session.fail(a.error());
-  const auto b = open_input(options.inputs[1], {}, session.limits, diagnostics[1]);
+  const auto b =
+      open_input(options.inputs[1], options.input_format, session.limits, diagnostics[1]);
   if (!b.ok()) return session.fail(b.error());
-  int code = kDone;
-  const bool pictures = a.value().kind == Kind::picture;
-  if (pictures != (b.value().kind == Kind::picture)) {
-    return session.usage("cannot compare a picture with " +
-                         std::string(describe(pictures ? b.value().kind : a.value().kind)));
-  }
-  if (pictures) {
-    const auto verdict = compare_two_pictures(a.value(), b.value(), session.limits);
-    code = verdict.ok() ? report(verdict.value(), session)
-                        : session.fail(verdict.error(), options.inputs[0]);
-  } else if (a.value().kind == Kind::scene_text && b.value().kind == Kind::scene_text &&
-             options.node.empty()) {
-    code = compare_scene_files(a.value(), b.value(), session, diagnostics);
-  } else {
-    code = compare_octree_files(a.value(), b.value(), options, session, diagnostics);
-  }
+  const Kind kinds[] = {a.value().kind, b.value().kind};
+  const std::string useless =
+      useless_option({.node = options.node, .resolution = options.resolution, .frame = {}}, kinds);
+  if (!useless.empty()) return session.usage(useless);
+  int code = compare_inputs(a.value(), b.value(), options, session, diagnostics);
   for (int i = 0; i < 2; ++i) {
     const int warned = session.warn(diagnostics[i], options.inputs[i]);
     if (code == kDone) code = warned;
@@ -209,7 +288,9 @@ void add_compare(CLI::App& program, Session& session) {
   command->add_option("--resolution", options->resolution, "octreeResolution of raw octrees")
       ->check(CLI::Range(1U, 2147483647U));
   command->add_option("--node", options->node, "DEF name of the OctreeImage to compare");
-  add_common_options(*command, session, false);
+  command->add_option("--input-format", options->input_format,
+                      "Kind of both inputs: afx, oct, wrl, bt or a picture's");
+  add_common_options(*command, session, {});
   command->callback([options, &session] {
     session.command = "compare";
     session.exit = compare(*options, session);

@@ -15,6 +15,7 @@ namespace {
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) continue;  // not in the help either
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
@@ -61,7 +62,7 @@ void print_fish(const CLI::App& program) {
             << "'\n";
   for (const CLI::App* command : commands_of(program)) {
     for (const CLI::Option* option : command->get_options()) {
-      if (option->get_lnames().empty()) continue;
+      if (option->get_lnames().empty() || option->get_group().empty()) continue;
       std::cout << "complete -c afx -n '__fish_seen_subcommand_from " << command->get_name()
                 << "' -l " << option->get_lnames().front() << " -d '" << option->get_description()
                 << "'\n";

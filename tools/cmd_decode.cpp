@@ -9,6 +9,7 @@
 #include "nodes/scene_writer.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/name_pattern.h"
 #include "tools/session.h"
 
 namespace afx::tools {
@@ -24,30 +25,6 @@ struct DecodeOptions {
   bool partial = false;
 };
 
-/// Where %d or %04d stands in an output name: replaced by the frame's number. No pattern: the name
-/// itself.
-struct NamePattern {
-  std::string before, after;
-  size_t digits = 0;
-  bool has_number = false;
-
-  explicit NamePattern(const std::string& name) : before(name) {
-    const size_t at = name.find('%');
-    const size_t end = at == std::string::npos ? at : name.find_first_not_of("0123456789", at + 1);
-    if (end == std::string::npos || name[end] != 'd' || end - at > 3) return;
-    has_number = true;
-    before = name.substr(0, at);
-    after = name.substr(end + 1);
-    if (end > at + 1) digits = std::stoul(name.substr(at + 1, end - at - 1));
-  }
-  [[nodiscard]] std::string name(uint32_t frame) const {
-    if (!has_number) return before;
-    std::string number = std::to_string(frame);
-    if (number.size() < digits) number.insert(0, digits - number.size(), '0');
-    return before + number + after;
-  }
-};
-
 std::vector<uint8_t> scene_text_of(const OctreeFields& fields, uint32_t resolution,
                                    uint32_t textures, bool header) {
   nodes::Scene scene;
@@ -59,92 +36,111 @@ std::vector<uint8_t> scene_text_of(const OctreeFields& fields, uint32_t resoluti
   return {text.begin(), text.end()};
 }
 
-/// The bytes of one frame as the output wants them; what it cannot hold is a warning.
-std::vector<uint8_t> output_of(const DecodedOctreeStream& decoded, size_t i, Kind kind, bool header,
-                               Diagnostics& diagnostics) {
-  const OctreeFields& fields = decoded.stream.frames[i];
-  if (kind == Kind::scene_text) {
-    return scene_text_of(fields, decoded.infos[i].resolution, decoded.stream.textures, header);
-  }
-  if (!fields.voxel_image_index.empty()) {
-    diagnostics.warn("lost_indices", Place::none(),
-                     "a raw octree has no place for image indices: " +
-                         std::to_string(fields.voxel_image_index.size()) +
-                         " symbols of voxelImageIndex are left out");
-  }
-  return fields.octree;
+/// What a raw octree cannot hold is a warning.
+void warn_of_lost_indices(const OctreeFields& fields, Diagnostics& diagnostics) {
+  if (fields.voxel_image_index.empty()) return;
+  diagnostics.warn("lost_indices", Place::none(),
+                   "a raw octree has no place for image indices: " +
+                       counted(fields.voxel_image_index.size(), "symbol") + " of voxelImageIndex " +
+                       (fields.voxel_image_index.size() == 1 ? "is" : "are") + " left out");
 }
 
-int check_output(const DecodeOptions& options, Kind kind, const NamePattern& pattern, size_t frames,
-                 const Session& session) {
-  if (kind == Kind::not_yet) return session.fail(not_in_this_version(options.output));
-  if (kind != Kind::scene_text && kind != Kind::raw_octree) {
-    return session.usage("cannot decode to " + options.output +
-                         " (expected .wrl, .bt or .oct, or --format)");
-  }
+/// What can be asked before the work: are the kinds right, may the output be written?
+int check_names(const DecodeOptions& options, const OutputFiles& outputs, const Session& session,
+                std::string& format) {
+  constexpr const char* kOutputs[] = {"wrl", "bt", "oct"};
+  constexpr const char* kInputs[] = {"afx"};
+  if (const int code = output_format(session, options.output, options.format, kOutputs, format);
+      code != kDone)
+    return code;
+  if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
+    return code;
+  // Frame 0 is always there; how many follow, the stream will tell.
+  const std::string first = NamePattern(options.output).name(options.frame.value_or(0));
+  const Status free = outputs.check(first);
+  return free.ok() ? kDone : session.fail(free.error(), first);
+}
+
+int check_frames(const DecodeOptions& options, const DecodedOctreeStream& decoded,
+                 const OutputFiles& outputs, const Session& session) {
+  const NamePattern pattern(options.output);
+  const size_t frames = decoded.stream.frames.size();
   if (frames > 1 && !pattern.has_number) {
     return session.usage("the stream has " + std::to_string(frames) + " frames, but " +
                          options.output +
                          " is one file (expected a pattern such as frame_%04d.wrl, or --frame K)");
   }
+  for (const OctreeFrameInfo& info : decoded.infos) {
+    const std::string name = pattern.name(info.number);
+    if (Status free = outputs.check(name); !free.ok()) return session.fail(free.error(), name);
+  }
   return kDone;
 }
 
-int write_frames(const DecodeOptions& options, const DecodedOctreeStream& decoded,
-                 const Session& session, Diagnostics& diagnostics) {
+/// Writes what was decoded; returns an exit code.
+int write_frames(const DecodeOptions& options, const std::string& format,
+                 const DecodedOctreeStream& decoded, OutputFiles& outputs, const Session& session) {
+  if (const int code = check_frames(options, decoded, outputs, session); code != kDone) return code;
   const NamePattern pattern(options.output);
-  const std::string& named = options.format.empty() ? options.output : "x." + options.format;
-  const Kind kind = kind_of_ending(named);
-  if (const int code = check_output(options, kind, pattern, decoded.stream.frames.size(), session);
-      code != kDone)
-    return code;
-  const bool header = !named.ends_with(".bt");
-  OutputFiles outputs(session.options.overwrite);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::vector<std::string> lines;
   for (size_t i = 0; i < decoded.stream.frames.size(); ++i) {
+    const OctreeFields& fields = decoded.stream.frames[i];
+    const uint32_t resolution = decoded.infos[i].resolution;
     const std::string name = pattern.name(decoded.infos[i].number);
-    const std::vector<uint8_t> bytes = output_of(decoded, i, kind, header, diagnostics);
-    if (name != "-")
-      session.say(name + ": " + grouped(bytes.size()) + " bytes, resolution " +
-                  std::to_string(decoded.infos[i].resolution));
-    list.push_back({{"output", name},
-                    {"bytes", bytes.size()},
-                    {"octreeResolution", decoded.infos[i].resolution}});
+    const std::vector<uint8_t> bytes =
+        format == "oct"
+            ? fields.octree
+            : scene_text_of(fields, resolution, decoded.stream.textures, format != "bt");
+    lines.push_back(name + ": " + counted(bytes.size(), "byte") + ", resolution " +
+                    std::to_string(resolution));
+    list.push_back({{"output", name}, {"bytes", bytes.size()}, {"octreeResolution", resolution}});
     if (session.options.dry_run) continue;
     if (Status put = outputs.put(name, bytes); !put.ok()) return session.fail(put.error(), name);
   }
-  if (const int code = session.warn(diagnostics, options.input); code != kDone) return code;
-  if (!session.options.dry_run) {
-    if (Status done = outputs.commit(); !done.ok())
-      return session.fail(done.error(), options.output);
-  }
-  if (options.output != "-") session.result({{"outputs", list}});
-  return kDone;
+  return session.finish(outputs, options.output, lines, {{"outputs", list}});
 }
 
-int decode(const DecodeOptions& options, const Session& session) {
-  Diagnostics diagnostics;
-  const auto input = open_input(options.input, options.input_format, session.limits, diagnostics);
-  if (!input.ok()) return session.fail(input.error());
-  if (input.value().kind != Kind::octree_stream) {
-    return session.fail(
-        {Errc::unsupported, Place::none(),
-         std::string("is ") + describe(input.value().kind) + " (expected an OctreeImage stream)"},
-        options.input);
-  }
+int decode_stream(const DecodeOptions& options, const std::string& format, const Input& input,
+                  OutputFiles& outputs, const Session& session, Diagnostics& diagnostics) {
   OctreeDecodeOptions how{
       .levels = options.levels, .frame = options.frame, .threads = session.options.threads};
   how.limits = session.limits;
-  const DecodedOctreeStream decoded =
-      decode_octree_stream(input.value().file.bytes(), how, diagnostics);
-  if (!decoded.status.ok()) {
-    const int code = session.fail(decoded.status.error(), options.input);
-    if (decoded.status.error().code == Errc::bad_argument) return kUsage;  // --frame
-    if (!options.partial || decoded.stream.frames.empty()) return code;
-    const int written = write_frames(options, decoded, session, diagnostics);
-    return written == kDone ? code : written;
+  const DecodedOctreeStream decoded = decode_octree_stream(input.file.bytes(), how, diagnostics);
+  const bool whole = decoded.status.ok();
+  if (format == "oct" && (whole || options.partial)) {
+    for (const OctreeFields& fields : decoded.stream.frames)
+      warn_of_lost_indices(fields, diagnostics);
   }
-  return write_frames(options, decoded, session, diagnostics);
+  if (whole) {
+    const int warned = session.warn(diagnostics, options.input);
+    return warned == kDone ? write_frames(options, format, decoded, outputs, session) : warned;
+  }
+  session.show(diagnostics, options.input);
+  const Error& error = decoded.status.error();
+  const int code =
+      session.fail_query(error, error.code == Errc::bad_argument, options.input);  // --frame
+  const bool strict_failure = session.options.strict && diagnostics.count() > 0;
+  if (code == kUsage || !options.partial || strict_failure || decoded.stream.frames.empty())
+    return code;
+  const int written = write_frames(options, format, decoded, outputs, session);
+  return written == kDone ? code : written;
+}
+
+int decode(const DecodeOptions& options, const Session& session) {
+  OutputFiles outputs(session.options.overwrite);
+  std::string format;
+  if (const int code = check_names(options, outputs, session, format); code != kDone) return code;
+  Diagnostics diagnostics;
+  const auto input = open_input(options.input, options.input_format, session.limits, diagnostics);
+  if (!input.ok()) return session.fail(input.error(), options.input, diagnostics);
+  if (input.value().kind != Kind::octree_stream) {
+    const Error error{
+        Errc::unsupported, Place::none(),
+        std::string("is ") + describe(input.value().kind) + " (expected an OctreeImage stream)"};
+    return session.fail(error, options.input, diagnostics);
+  }
+  return decode_stream(options, format, input.value(), outputs, session, diagnostics);
 }
 
 }  // namespace
@@ -166,7 +162,7 @@ void add_decode(CLI::App& program, Session& session) {
       ->check(CLI::Range(0U, 32U));
   command->add_flag("--partial", options->partial,
                     "Of a truncated stream write what is whole (the exit code stays 3)");
-  add_common_options(*command, session, true);
+  add_common_options(*command, session, {.outputs = true});
   command->callback([options, &session] {
     session.command = "decode";
     session.exit = decode(*options, session);

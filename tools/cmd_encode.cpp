@@ -6,8 +6,10 @@
 
 #include "afx/file.h"
 #include "afx/octree_stream.h"
+#include "codec/octree_encoder.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/name_pattern.h"
 #include "tools/session.h"
 
 namespace afx::tools {
@@ -22,86 +24,133 @@ struct EncodeOptions {
   std::optional<uint32_t> resolution;
 };
 
-/// Adds a frame to the stream; the first one decides resolution and number of images.
-Status add_frame(OctreeStream& stream, OctreeNode octree) {
-  const uint32_t textures = octree.fields.voxel_image_index.empty() ? 0 : octree.images;
-  const auto differs = [](const char* what, uint64_t here, uint64_t first) {
+/// What all frames of a stream have in common; the first one decides.
+struct Common {
+  uint32_t resolution = 1;
+  uint32_t images = 0;
+  bool indices = false;
+};
+
+Status check_agreement(const Common& here, const Common& first) {
+  const auto differs = [](const std::string& text) {
     return Error{Errc::bad_argument, Place::none(),
-                 std::string(what) + " is " + std::to_string(here) + ", but " +
-                     std::to_string(first) +
-                     " in the first frame (frames of one stream must agree)"};
+                 text + " in the first frame (frames of one stream must agree)"};
   };
+  if (here.resolution != first.resolution) {
+    return differs("octreeResolution is " + std::to_string(here.resolution) + ", but " +
+                   std::to_string(first.resolution));
+  }
+  if (here.images != first.images) {
+    return differs("the number of images is " + std::to_string(here.images) + ", but " +
+                   std::to_string(first.images));
+  }
+  if (here.indices != first.indices) {
+    return differs(here.indices ? "voxelImageIndex has entries, but none"
+                                : "voxelImageIndex is empty, but not");
+  }
+  return {};
+}
+
+/// Checks one input as a frame and adds it to the stream.
+Status add_frame(OctreeStream& stream, Common& first, OctreeNode octree) {
+  const Common here{octree.resolution, octree.images, !octree.fields.voxel_image_index.empty()};
   if (stream.frames.empty()) {
-    stream.resolution = octree.resolution;
-    stream.textures = textures;
+    first = here;
+    stream.resolution = here.resolution;
+    stream.textures = here.indices ? here.images : 0;
   }
-  if (octree.resolution != stream.resolution) {
-    return differs("octreeResolution", octree.resolution, stream.resolution);
+  if (Status agrees = check_agreement(here, first); !agrees.ok()) return agrees;
+  if (stream.textures > kMaxStreamTextures) {
+    return Error{Errc::bad_argument, Place::none(),
+                 "has " + std::to_string(stream.textures) + " images (a stream holds at most " +
+                     std::to_string(kMaxStreamTextures) + ")"};
   }
-  if (textures != stream.textures)
-    return differs("the number of images with indices", textures, stream.textures);
+  if (Status fits = codec::check_octree_fields(octree.fields, octree_levels(here.resolution),
+                                               stream.textures);
+      !fits.ok())
+    return fits;
   stream.frames.push_back(std::move(octree.fields));
   return {};
 }
 
+/// Reads one input as the next frame; returns an exit code.
+int read_frame(const EncodeOptions& options, const std::string& path, const Session& session,
+               OctreeStream& stream, Common& first, std::vector<Kind>& kinds) {
+  Diagnostics diagnostics;
+  const auto input = open_input(path, options.input_format, session.limits, diagnostics);
+  if (!input.ok()) return session.fail(input.error(), path, diagnostics);
+  kinds.push_back(input.value().kind);
+  if (input.value().kind == Kind::octree_stream) {
+    const Error error{Errc::unsupported, Place::none(),
+                      "is an OctreeImage stream already (expected scene text or .oct)"};
+    return session.fail(error, path, diagnostics);
+  }
+  OctreeQuery query{.node = options.node, .resolution = options.resolution, .frame = {}};
+  auto octree = read_octree(input.value(), query, session.limits, diagnostics);
+  if (!octree.ok()) {
+    session.show(diagnostics, path);
+    return session.fail_query(octree.error(), query.missing_is_usage, path);
+  }
+  if (Status added = add_frame(stream, first, std::move(octree).value()); !added.ok())
+    return session.fail(added.error(), path, diagnostics);
+  return session.warn(diagnostics, path);
+}
+
 /// Reads all inputs as frames; returns an exit code.
 int read_frames(const EncodeOptions& options, const Session& session, OctreeStream& stream) {
+  Common first;
+  std::vector<Kind> kinds;
   for (const std::string& path : options.inputs) {
-    Diagnostics diagnostics;
-    const auto input = open_input(path, options.input_format, session.limits, diagnostics);
-    if (!input.ok()) return session.fail(input.error());
-    if (input.value().kind == Kind::octree_stream) {
-      return session.fail({Errc::unsupported, Place::none(),
-                           "is an OctreeImage stream already (expected scene text or .oct)"},
-                          path);
-    }
-    OctreeQuery query{.node = options.node, .resolution = options.resolution, .frame = {}};
-    auto octree = read_octree(input.value(), query, session.limits, diagnostics);
-    if (!octree.ok()) {
-      const int code = session.fail(octree.error());
-      return query.missing_is_usage ? kUsage : code;
-    }
-    if (const int code = session.warn(diagnostics, path); code != kDone) return code;
-    if (Status status = add_frame(stream, std::move(octree).value()); !status.ok())
-      return session.fail(status.error(), path);
+    const int code = read_frame(options, path, session, stream, first, kinds);
+    if (code != kDone) return code;
   }
-  return kDone;
+  const std::string useless =
+      useless_option({.node = options.node, .resolution = options.resolution, .frame = {}}, kinds);
+  return useless.empty() ? kDone : session.usage(useless);
+}
+
+int check_names(const EncodeOptions& options, const OutputFiles& outputs, const Session& session) {
+  constexpr const char* kOutputs[] = {"afx"};
+  constexpr const char* kInputs[] = {"wrl", "bt", "oct"};
+  std::string format;
+  if (const int code = output_format(session, options.output, options.format, kOutputs, format);
+      code != kDone)
+    return code;
+  if (NamePattern(options.output).has_number) {
+    return session.usage("all frames go into one stream, but " + options.output +
+                         " has a place for a number (expected one name)");
+  }
+  if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
+    return code;
+  const Status free = outputs.check(options.output);
+  return free.ok() ? kDone : session.fail(free.error(), options.output);
 }
 
 int encode(const EncodeOptions& options, const Session& session) {
-  const Kind kind =
-      options.format.empty() ? kind_of_ending(options.output) : kind_of_format(options.format);
-  if (kind == Kind::not_yet) return session.fail(not_in_this_version(options.output));
-  if (kind != Kind::octree_stream) {
-    return session.usage("cannot encode to " + options.output +
-                         ": this version writes .afx streams (expected -o NAME.afx"
-                         " or --format afx)");
-  }
   OutputFiles outputs(session.options.overwrite);
-  if (Status free = outputs.check(options.output); !free.ok())
-    return session.fail(free.error(), options.output);
+  if (const int code = check_names(options, outputs, session); code != kDone) return code;
   OctreeStream stream;
   if (const int code = read_frames(options, session, stream); code != kDone) return code;
   const auto encoded = encode_octree_stream(stream, session.options.threads);
-  if (!encoded.ok()) return session.fail(encoded.error(), options.inputs.front());
-
+  if (!encoded.ok()) return session.fail(encoded.error(), options.output);
+  if (!session.options.dry_run) {
+    if (Status put = outputs.put(options.output, encoded.value()); !put.ok())
+      return session.fail(put.error(), options.output);
+  }
   uint64_t fields = 0;
   for (const OctreeFields& frame : stream.frames)
     fields += frame.octree.size() + frame.voxel_image_index.size();
-  session.say(options.output + ": " + grouped(encoded.value().size()) + " bytes from " +
-              grouped(fields) + " bytes of fields, " + std::to_string(stream.frames.size()) +
-              (stream.frames.size() == 1 ? " frame" : " frames"));
-  session.result({{"output", options.output},
-                  {"bytes", encoded.value().size()},
-                  {"fieldBytes", fields},
-                  {"frames", stream.frames.size()},
-                  {"octreeResolution", stream.resolution},
-                  {"numOfTextures", stream.textures}});
-  if (session.options.dry_run) return kDone;
-  if (Status put = outputs.put(options.output, encoded.value()); !put.ok())
-    return session.fail(put.error(), options.output);
-  if (Status done = outputs.commit(); !done.ok()) return session.fail(done.error(), options.output);
-  return kDone;
+  const uint64_t bytes = encoded.value().size();
+  return session.finish(
+      outputs, options.output,
+      {options.output + ": " + counted(bytes, "byte") + " from " + counted(fields, "byte") +
+       " of fields, " + counted(stream.frames.size(), "frame")},
+      {{"output", options.output},
+       {"bytes", bytes},
+       {"fieldBytes", fields},
+       {"frames", stream.frames.size()},
+       {"octreeResolution", stream.resolution},
+       {"numOfTextures", stream.textures}});
 }
 
 }  // namespace
@@ -123,7 +172,7 @@ void add_encode(CLI::App& program, Session& session) {
                       "DEF name of the OctreeImage, where a scene has several");
   command->add_option("--resolution", options->resolution, "octreeResolution of a raw octree")
       ->check(CLI::Range(1U, 2147483647U));
-  add_common_options(*command, session, true);
+  add_common_options(*command, session, {.outputs = true});
   command->callback([options, &session] {
     session.command = "encode";
     session.exit = encode(*options, session);

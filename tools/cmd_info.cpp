@@ -26,26 +26,39 @@ struct InfoOptions {
 
 /// A value as people read it.
 std::string printed(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) return printable(value.get<std::string>());
   if (value.is_number_unsigned()) return grouped(value.get<uint64_t>());
   if (value.is_number_float()) return fixed(value.get<double>(), 3);
   return value.dump();
 }
 
+/// "bitsPerVoxel" -> "bitsPerVoxel".
+std::string in_words(const std::string& name) {
+  std::string words;
+  for (const char c : name) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital) words += ' ';
+    words += capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return words;
+}
+
 /// "name: value" lines; a list of objects is a block for each.
 void print(const Json& object, const std::string& indent = {}) {
   for (const auto& [name, value] : object.items()) {
-    if (value.is_array() && !value.empty() && value.front().is_object()) {
+    const std::string label = indent + in_words(name);
+    if (name == "nodeTypes") {  // the names in it are the scene's own
+      std::cout << label << ":\n";
+      for (const auto& [type, count] : value.items())
+        std::cout << indent << "  " << printable(type) << ": " << printed(count) << '\n';
+    } else if (value.is_array() && !value.empty() && value.front().is_object()) {
       size_t number = 0;
       for (const Json& element : value) {
-        std::cout << indent << name << ' ' << number++ << ":\n";
+        std::cout << label << ' ' << number++ << ":\n";
         print(element, indent + "  ");
       }
-    } else if (value.is_object()) {
-      std::cout << indent << name << ":\n";
-      print(value, indent + "  ");
     } else {
-      std::cout << indent << name << ": " << printed(value) << '\n';
+      std::cout << label << ": " << printed(value) << '\n';
     }
   }
 }
@@ -56,11 +69,11 @@ Json describe_frame(const OctreeFrameInfo& info, const OctreeFields& fields, uin
   return {{"frame", info.number},
           {"byte", info.byte},
           {"bits", info.bits},
-          {"node symbols", info.node_symbols},
-          {"texture symbols", info.texture_symbols},
+          {"nodeSymbols", info.node_symbols},
+          {"textureSymbols", info.texture_symbols},
           {"voxels", voxels},
-          {"bits per voxel", ratio(static_cast<double>(info.bits), voxels)},
-          {"field bytes per stream byte",
+          {"bitsPerVoxel", ratio(static_cast<double>(info.bits), voxels)},
+          {"fieldBytesPerStreamByte",
            ratio(static_cast<double>(fields.octree.size() + fields.voxel_image_index.size()) * 8,
                  info.bits)}};
 }
@@ -85,11 +98,11 @@ int info_of_stream(const Input& input, const Session& session, Diagnostics& diag
     const uint64_t voxels = counts.ok() ? counts.value().back() : 0;
     all_voxels += voxels;
     frames.push_back(describe_frame(info, fields, voxels));
-    if (!info.whole) frames.back()["truncated to resolution"] = info.resolution;
+    if (!info.whole) frames.back()["truncatedToResolution"] = info.resolution;
   }
   out["frames"] = decoded.infos.size();
   out["voxels"] = all_voxels;
-  out["bits per voxel"] = ratio(static_cast<double>(input.file.bytes().size()) * 8, all_voxels);
+  out["bitsPerVoxel"] = ratio(static_cast<double>(input.file.bytes().size()) * 8, all_voxels);
   if (frames.size() == 1 || session.options.verbose || session.options.json) out["frame"] = frames;
   return decoded.status.ok() ? kDone : session.fail(decoded.status.error(), input.path);
 }
@@ -98,42 +111,38 @@ int info_of_raw(const Input& input, const InfoOptions& options, const Session& s
                 Diagnostics& diagnostics, Json& out) {
   OctreeQuery query{.node = {}, .resolution = options.resolution, .frame = {}};
   const auto octree = read_octree(input, query, session.limits, diagnostics);
-  if (!octree.ok()) {
-    const int code = session.fail(octree.error());
-    return query.missing_is_usage ? kUsage : code;
-  }
+  if (!octree.ok()) return session.fail_query(octree.error(), query.missing_is_usage, input.path);
   const unsigned levels = octree_levels(octree.value().resolution);
   const auto counts =
       codec::octree_level_counts(octree.value().fields.octree, levels, session.limits);
   out["resolution"] = octree.value().resolution;
   out["levels"] = levels;
-  out["node symbols"] = octree.value().fields.octree.size();
+  out["nodeSymbols"] = octree.value().fields.octree.size();
   out["voxels"] = counts.value().back();
   return kDone;
 }
 
-Json describe_octree_image(const nodes::NodeView& view, const Input& input, const Session& session,
-                           Diagnostics& diagnostics) {
-  Json out{{"node", view.label()}};
+/// Describes an OctreeImage into `out`, as far as it can be read.
+Status describe_octree_image(const nodes::NodeView& view, const Input& input,
+                             const Session& session, Diagnostics& diagnostics, Json& out) {
+  out["node"] = view.label();
   const auto octree = read_octree_node(view, input.folder(), session.limits, diagnostics);
-  if (!octree.ok()) {
-    out["problem"] = octree.error().text;
-    return out;
-  }
+  if (!octree.ok()) return octree.error();
   const OctreeNode& node = octree.value();
   const unsigned levels = octree_levels(node.resolution);
   out["resolution"] = node.resolution;
   out["levels"] = levels;
   out["images"] = node.images;
-  out["octree bytes"] = node.fields.octree.size();
-  out["voxelImageIndex symbols"] = node.fields.voxel_image_index.size();
+  out["octreeBytes"] = node.fields.octree.size();
+  out["voxelImageIndexSymbols"] = node.fields.voxel_image_index.size();
   const auto images = codec::octree_voxel_images(node.fields, levels, levels, session.limits);
-  if (images.ok()) {
-    out["voxels"] = images.value().size();
-  } else {
-    out["problem"] = images.error().text;
+  if (!images.ok()) {
+    Error error = images.error();
+    error.text = view.label() + ": " + error.text;
+    return error;
   }
-  return out;
+  out["voxels"] = images.value().size();
+  return {};
 }
 
 int info_of_scene(const Input& input, const Session& session, Diagnostics& diagnostics, Json& out) {
@@ -145,13 +154,19 @@ int info_of_scene(const Input& input, const Session& session, Diagnostics& diagn
   out["nodes"] = scene.value().node_count();
   out["routes"] = scene.value().scope().routes.size();
   out["protos"] = scene.value().proto_count();
-  out["node types"] = types;
+  out["nodeTypes"] = types;
   Json octrees = Json::array();
+  int code = kDone;
   for (const nodes::NodeView& view : find_octree_images(scene.value())) {
-    octrees.push_back(describe_octree_image(view, input, session, diagnostics));
+    Json& octree = octrees.emplace_back(Json::object());
+    const Status described = describe_octree_image(view, input, session, diagnostics, octree);
+    if (described.ok()) continue;
+    octree["problem"] = described.error().text;
+    const int failed = session.fail(described.error(), input.path);
+    if (code == kDone) code = failed;
   }
-  if (!octrees.empty()) out["octree image"] = octrees;
-  return kDone;
+  if (!octrees.empty()) out["octreeImage"] = octrees;
+  return code;
 }
 
 int info_of_picture(const Input& input, const Session& session, Json& out) {
@@ -165,10 +180,16 @@ int info_of_picture(const Input& input, const Session& session, Json& out) {
 }
 
 int info(const InfoOptions& options, const Session& session) {
+  constexpr const char* kInputs[] = {"afx", "oct", "wrl", "bt", "png"};
+  if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
+    return code;
   Diagnostics diagnostics;
   const auto opened = open_input(options.input, options.input_format, session.limits, diagnostics);
   if (!opened.ok()) return session.fail(opened.error());
   const Input& input = opened.value();
+  const std::string useless =
+      useless_option({.node = {}, .resolution = options.resolution, .frame = {}}, {&input.kind, 1});
+  if (!useless.empty()) return session.usage(useless);
   Json out{
       {"file", input.path}, {"kind", describe(input.kind)}, {"bytes", input.file.bytes().size()}};
   int code = kDone;
@@ -218,7 +239,7 @@ void add_info(CLI::App& program, Session& session) {
                       "Kind of the input: afx, oct, wrl or bt");
   command->add_option("--resolution", options->resolution, "octreeResolution of a raw octree")
       ->check(CLI::Range(1U, 2147483647U));
-  add_common_options(*command, session, false);
+  add_common_options(*command, session, {.verbose = true});
   command->callback([options, &session] {
     session.command = "info";
     session.exit = info(*options, session);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <glm/trigonometric.hpp>
 #include <list>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -39,21 +40,67 @@ struct RenderCommand {
   int jpeg_quality = 90;
 };
 
-/// Coloured voxels with the matrix that places them. In a list, because clouds point into them.
+/// Coloured voxels with the matrices that place them. In a list, because clouds point into them.
 struct Drawn {
   std::list<ColouredVoxels> voxels;
+  std::map<uint32_t, const ColouredVoxels*> of_node;  ///< those of nodes that USE may show again
   render::Scene scene;
+  Limits left;  ///< what is left of them
+
+  void place(const ColouredVoxels& cloud, const glm::dmat4& to_world) {
+    scene.voxels.push_back({cloud.level, cloud.codes, cloud.colours, to_world});
+  }
 };
 
-Status draw(const OctreeModel& model, const glm::dmat4& to_world, const RenderCommand& command,
-            const Session& session, Diagnostics& diagnostics, Drawn& drawn) {
+/// Colours a model; the voxels stay in `drawn`.
+Result<const ColouredVoxels*> colour(const OctreeModel& model, const RenderCommand& command,
+                                     const Session& session, Diagnostics& diagnostics,
+                                     Drawn& drawn) {
   const unsigned level = std::min(command.level, octree_levels(model.resolution));
-  auto coloured = colour_octree(model, level, session.options.threads, session.limits, diagnostics);
+  auto coloured = colour_octree(model, level, session.options.threads, drawn.left, diagnostics);
   if (!coloured.ok()) return std::move(coloured).error();
   drawn.voxels.push_back(std::move(coloured).value());
   const ColouredVoxels& voxels = drawn.voxels.back();
-  drawn.scene.voxels.push_back({voxels.level, voxels.codes, voxels.colours, to_world});
+  const uint64_t bytes = voxels.codes.size() * (sizeof(uint64_t) + sizeof(Rgba8) + sizeof(uint8_t));
+  drawn.left.memory -= std::min(drawn.left.memory, bytes);
+  return &voxels;
+}
+
+/// Draws an OctreeImage of a scene; one that stands in several places is coloured once. (Not so in
+/// a PROTO: there its fields may be other ones in each instance.)
+Status draw_node(const nodes::DibrObject& object, const Input& input, const RenderCommand& command,
+                 const Session& session, Diagnostics& diagnostics, Drawn& drawn) {
+  const nodes::NodeView& view = object.nodes.front();
+  if (const auto known = drawn.of_node.find(view.id().value); known != drawn.of_node.end()) {
+    drawn.place(*known->second, object.to_world);
+    return {};
+  }
+  const auto model = read_octree_model(view, input.folder(), drawn.left, diagnostics);
+  if (!model.ok()) return model.error();
+  const auto voxels = colour(model.value(), command, session, diagnostics, drawn);
+  if (!voxels.ok()) return voxels.error();
+  if (view.node().scope == nodes::Scene::kMain) drawn.of_node[view.id().value] = voxels.value();
+  drawn.place(*voxels.value(), object.to_world);
   return {};
+}
+
+/// Warns of what the scene has and this version does not draw.
+void warn_of_undrawn(const nodes::Scene& scene, size_t depth_images, Diagnostics& diagnostics) {
+  std::map<std::string, size_t> left_out;
+  if (depth_images > 0) left_out["DepthImage"] = depth_images;
+  for (uint32_t i = 0; i < scene.node_count(); ++i) {
+    const nodes::NodeId id(i);
+    const std::string& type = scene.type_name(id);
+    if (scene.node(id).scope != nodes::Scene::kMain || (type != "Shape" && type != "Inline"))
+      continue;
+    if (nodes::NodeView(scene, id).child("geometry").type() == "BitWrapper") continue;
+    ++left_out[type];
+  }
+  for (const auto& [type, count] : left_out) {
+    diagnostics.warn("not_drawn", Place::none(),
+                     counted(count, type) + (count == 1 ? " is" : " are") +
+                         " left out: this version draws OctreeImages");
+  }
 }
 
 Status draw_scene(const Input& input, const RenderCommand& command, const Session& session,
@@ -62,24 +109,18 @@ Status draw_scene(const Input& input, const RenderCommand& command, const Sessio
   if (!scene.ok()) return scene.error();
   const auto objects = nodes::find_dibr_objects(scene.value());
   if (!objects.ok()) return objects.error();
-  size_t left_out = 0;
+  size_t depth_images = 0;
+  Status status;
   for (const nodes::DibrObject& object : objects.value()) {
-    if (object.kind != nodes::DibrObject::Kind::octree_image) {
-      left_out += object.nodes.size();
-      continue;
+    if (!status.ok()) break;
+    if (object.kind == nodes::DibrObject::Kind::octree_image) {
+      status = draw_node(object, input, command, session, diagnostics, drawn);
+    } else {
+      depth_images += object.nodes.size();
     }
-    const auto model =
-        read_octree_model(object.nodes.front(), input.folder(), session.limits, diagnostics);
-    if (!model.ok()) return model.error();
-    if (Status done = draw(model.value(), object.to_world, command, session, diagnostics, drawn);
-        !done.ok())
-      return done;
   }
-  if (left_out > 0) {
-    diagnostics.warn(
-        "not_drawn", Place::none(),
-        std::to_string(left_out) + " DepthImages are left out: this version draws OctreeImages");
-  }
+  if (!status.ok()) return status;
+  warn_of_undrawn(scene.value(), depth_images, diagnostics);
   if (drawn.voxels.empty()) {
     return Error{Errc::malformed, Place::none(),
                  "the scene shows nothing to draw (expected an OctreeImage)"};
@@ -99,7 +140,10 @@ Status draw_octree(const Input& input, const RenderCommand& command, const Sessi
                      "a stream alone has no pictures: the model is drawn grey");
     model.fields.voxel_image_index.clear();
   }
-  return draw(model, glm::dmat4(1), command, session, diagnostics, drawn);
+  const auto voxels = colour(model, command, session, diagnostics, drawn);
+  if (!voxels.ok()) return voxels.error();
+  drawn.place(*voxels.value(), glm::dmat4(1));
+  return {};
 }
 
 /// "640x480".
@@ -172,32 +216,49 @@ int read_options(const RenderCommand& command, const std::string& format, const 
   return kDone;
 }
 
-int run_render(const RenderCommand& command, const Session& session) {
-  const std::string format =
-      picture_format_of(command.format.empty() ? command.output : "x." + command.format);
-  if (format.empty())
-    return session.usage("cannot render to " + command.output +
-                         " (expected a picture such as .png, or --format)");
-  render::RenderOptions options;
+/// What can be asked before the work; returns an exit code.
+int check_command(const RenderCommand& command, const OutputFiles& outputs, const Session& session,
+                  std::string& format, render::RenderOptions& options) {
+  constexpr const char* kOutputs[] = {"png", "jpeg", "bmp", "tga"};
+  constexpr const char* kInputs[] = {"wrl", "bt", "afx", "oct"};
+  if (const int code = output_format(session, command.output, command.format, kOutputs, format);
+      code != kDone)
+    return code;
+  if (const int code = check_input_format(session, command.input_format, kInputs); code != kDone)
+    return code;
   if (const int code = read_options(command, format, session, options); code != kDone) return code;
-  OutputFiles outputs(session.options.overwrite);
-  if (Status free = outputs.check(command.output); !free.ok())
-    return session.fail(free.error(), command.output);
+  const Status free = outputs.check(command.output);
+  return free.ok() ? kDone : session.fail(free.error(), command.output);
+}
 
+/// Reads the input into `drawn`; returns an exit code.
+int read_input(const RenderCommand& command, const Session& session, Drawn& drawn) {
   Diagnostics diagnostics;
   const auto input = open_input(command.input, command.input_format, session.limits, diagnostics);
-  if (!input.ok()) return session.fail(input.error());
-  Drawn drawn;
+  if (!input.ok()) return session.fail(input.error(), command.input, diagnostics);
+  const std::string useless =
+      useless_option({.node = {}, .resolution = command.resolution, .frame = command.frame},
+                     {&input.value().kind, 1});
+  if (!useless.empty()) return session.usage(useless);
+  drawn.left = session.limits;
   bool missing_is_usage = false;
   const Status read =
       input.value().kind == Kind::scene_text
           ? draw_scene(input.value(), command, session, diagnostics, drawn)
           : draw_octree(input.value(), command, session, diagnostics, drawn, missing_is_usage);
-  if (!read.ok()) {
-    const int code = session.fail(read.error(), command.input);
-    return missing_is_usage ? kUsage : code;
-  }
-  if (const int code = session.warn(diagnostics, command.input); code != kDone) return code;
+  if (read.ok()) return session.warn(diagnostics, command.input);
+  session.show(diagnostics, command.input);
+  return session.fail_query(read.error(), missing_is_usage, command.input);
+}
+
+int run_render(const RenderCommand& command, const Session& session) {
+  OutputFiles outputs(session.options.overwrite);
+  std::string format;
+  render::RenderOptions options;
+  if (const int code = check_command(command, outputs, session, format, options); code != kDone)
+    return code;
+  Drawn drawn;
+  if (const int code = read_input(command, session, drawn); code != kDone) return code;
 
   const auto start = std::chrono::steady_clock::now();
   const auto image = render_drawn(drawn, command, options, session.limits);
@@ -208,22 +269,21 @@ int run_render(const RenderCommand& command, const Session& session) {
   const auto bytes = encode_picture(format == "jpeg" ? without_alpha(picture) : picture, format,
                                     {.jpeg_quality = command.jpeg_quality});
   if (!bytes.ok()) return session.fail(bytes.error(), command.output);
-  uint64_t voxels = 0;
-  for (const ColouredVoxels& cloud : drawn.voxels) voxels += cloud.codes.size();
-  session.say(command.output + ": " + std::to_string(options.width) + " x " +
-              std::to_string(options.height) + ", " + grouped(voxels) + " voxels" +
-              (session.options.verbose ? " drawn in " + fixed(seconds * 1000, 1) + " ms" : ""));
-  if (command.output != "-") {
-    session.result({{"output", command.output},
-                    {"width", options.width},
-                    {"height", options.height},
-                    {"voxels", voxels}});
+  if (!session.options.dry_run) {
+    if (Status put = outputs.put(command.output, bytes.value()); !put.ok())
+      return session.fail(put.error(), command.output);
   }
-  if (session.options.dry_run) return kDone;
-  if (Status put = outputs.put(command.output, bytes.value()); !put.ok())
-    return session.fail(put.error(), command.output);
-  if (Status done = outputs.commit(); !done.ok()) return session.fail(done.error(), command.output);
-  return kDone;
+  uint64_t voxels = 0;
+  for (const render::VoxelCloud& cloud : drawn.scene.voxels) voxels += cloud.codes.size();
+  return session.finish(
+      outputs, command.output,
+      {command.output + ": " + std::to_string(options.width) + " x " +
+       std::to_string(options.height) + ", " + counted(voxels, "voxel") +
+       (session.options.verbose ? " drawn in " + fixed(seconds * 1000, 1) + " ms" : "")},
+      {{"output", command.output},
+       {"width", options.width},
+       {"height", options.height},
+       {"voxels", voxels}});
 }
 
 }  // namespace
@@ -251,7 +311,8 @@ void add_render(CLI::App& program, Session& session) {
   command->add_option("--resolution", options->resolution, "octreeResolution of a raw octree")
       ->check(CLI::Range(1U, 2147483647U));
   command->add_option("--frame", options->frame, "Frame of a stream, counted from 0");
-  command->add_option("--level", options->level, "Draw the coarser octree of so many levels")
+  command
+      ->add_option("--levels,--level", options->level, "Draw the coarser octree of so many levels")
       ->check(CLI::Range(0U, 32U));
   command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
   command->add_option(
@@ -281,7 +342,7 @@ void add_render(CLI::App& program, Session& session) {
   command->add_option("--jpeg-quality", options->jpeg_quality, "Quality of a JPEG picture")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  add_common_options(*command, session, true);
+  add_common_options(*command, session, {.outputs = true, .verbose = true});
   command->callback([options, &session] {
     session.command = "render";
     session.exit = run_render(*options, session);

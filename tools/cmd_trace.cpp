@@ -29,6 +29,9 @@ void print_text(const codec::TraceElement& element) {
 }
 
 int trace(const TraceOptions& options, const Session& session) {
+  constexpr const char* kInputs[] = {"afx"};
+  if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
+    return code;
   Diagnostics diagnostics;
   const auto input = open_input(options.input, options.input_format, session.limits, diagnostics);
   if (!input.ok()) return session.fail(input.error());
@@ -68,7 +71,7 @@ void add_trace(CLI::App& program, Session& session) {
       "trace", "Every header element of a stream, and the bits of each level");
   command->add_option("IN", options->input, "The stream (.afx); - = standard input")->required();
   command->add_option("--input-format", options->input_format, "Kind of the input: afx");
-  add_common_options(*command, session, false);
+  add_common_options(*command, session, {});
   command->callback([options, &session] {
     session.command = "trace";
     session.exit = trace(*options, session);

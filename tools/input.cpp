@@ -13,39 +13,9 @@
 namespace afx::tools {
 namespace {
 
-struct Ending {
-  const char* ending;
-  Kind kind;
-};
-
-constexpr Ending kEndings[] = {
-    {"wrl", Kind::scene_text}, {"bt", Kind::scene_text}, {"afx", Kind::octree_stream},
-    {"oct", Kind::raw_octree}, {"obj", Kind::model},     {"ply", Kind::model},
-    {"gltf", Kind::model},     {"glb", Kind::model},     {"dae", Kind::model},
-    {"stl", Kind::model},      {"fbx", Kind::model},     {"3ds", Kind::model},
-    {"x3d", Kind::model},      {"off", Kind::model},     {"mp4", Kind::not_yet},
-    {"bifs", Kind::not_yet},   {"xmt", Kind::not_yet},   {"json", Kind::not_yet},
-};
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return ending;
-}
-
 bool looks_like_vrml(std::span<const uint8_t> bytes) {
   constexpr std::string_view header = "#VRML";
   return bytes.size() >= header.size() && std::equal(header.begin(), header.end(), bytes.begin());
-}
-
-Kind kind_of_content(std::span<const uint8_t> bytes) {
-  if (looks_like_octree_stream(bytes)) return Kind::octree_stream;
-  if (looks_like_vrml(bytes)) return Kind::scene_text;
-  if (!picture_format_of_content(bytes).empty()) return Kind::picture;
-  return Kind::unknown;
 }
 
 Error with_file(Error error, const std::string& path) {
@@ -90,42 +60,11 @@ Result<OctreeNode> read_raw(const Input& input, OctreeQuery& query, const Limits
 
 }  // namespace
 
-Kind kind_of_format(const std::string& format) {
-  for (const Ending& entry : kEndings) {
-    if (format == entry.ending) return entry.kind;
-  }
-  return picture_format_of("x." + format).empty() ? Kind::unknown : Kind::picture;
-}
-
-Kind kind_of_ending(const std::string& path) { return kind_of_format(ending_of(path)); }
-
-const char* describe(Kind kind) {
-  switch (kind) {
-    case Kind::scene_text:
-      return "scene text";
-    case Kind::octree_stream:
-      return "an OctreeImage stream";
-    case Kind::raw_octree:
-      return "a raw octree";
-    case Kind::picture:
-      return "a picture";
-    case Kind::model:
-      return "a mesh or point cloud";
-    case Kind::not_yet:
-      return "of a kind that this version does not know yet";
-    case Kind::unknown:
-      break;
-  }
-  return "of an unknown kind";
-}
-
-Error not_in_this_version(const std::string& path) {
-  return {Errc::not_available,
-          Place::none(),
-          std::string("is ") + describe(Kind::not_yet) +
-              " (MP4, BIFS, XMT and JSON are for a later one)",
-          {},
-          path};
+Kind kind_of_content(std::span<const uint8_t> bytes) {
+  if (looks_like_octree_stream(bytes)) return Kind::octree_stream;
+  if (looks_like_vrml(bytes)) return Kind::scene_text;
+  if (!picture_format_of_content(bytes).empty()) return Kind::picture;
+  return Kind::unknown;
 }
 
 std::string Input::folder() const {
@@ -154,12 +93,26 @@ Result<Input> open_input(const std::string& path, const std::string& input_forma
     return Error{Errc::malformed,
                  Place::none(),
                  "neither content nor ending tells what this is (expected .wrl, .bt, .afx, .oct, a "
-                 "picture, or "
-                 "--input-format)",
+                 "picture, or --input-format)",
                  {},
                  path};
   }
   return input;
+}
+
+std::string useless_option(const OctreeQuery& query, std::span<const Kind> inputs) {
+  const auto none = [&](Kind kind) {
+    return std::find(inputs.begin(), inputs.end(), kind) == inputs.end();
+  };
+  const std::string found = std::string(", but ") +
+                            (inputs.size() == 1 ? "the input is " : "none is; the first is ") +
+                            describe(inputs.empty() ? Kind::unknown : inputs.front());
+  if (query.resolution && none(Kind::raw_octree))
+    return "--resolution is for raw octrees (.oct)" + found;
+  if (!query.node.empty() && none(Kind::scene_text)) return "--node is for scene text" + found;
+  if (query.frame && none(Kind::octree_stream))
+    return "--frame is for OctreeImage streams (.afx)" + found;
+  return {};
 }
 
 Result<nodes::Scene> read_scene(const Input& input, const Limits& limits,

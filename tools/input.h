@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,29 +15,9 @@
 #include "codec/diagnostics.h"
 #include "codec/error.h"
 #include "codec/limits.h"
+#include "tools/formats.h"
 
 namespace afx::tools {
-
-enum class Kind {
-  scene_text,     ///< .wrl .bt
-  octree_stream,  ///< .afx
-  raw_octree,     ///< .oct
-  picture,        ///< .png .jpg ...
-  model,          ///< meshes and point clouds, by their ending
-  not_yet,        ///< .mp4 .bifs .xmt .json: promised, but not in this version
-  unknown
-};
-
-/// The name of a kind as --format and --input-format have it: "wrl", "afx", "oct", ...; unknown:
-/// unknown.
-Kind kind_of_format(const std::string& format);
-/// By the ending of a file name.
-Kind kind_of_ending(const std::string& path);
-const char* describe(Kind kind);
-
-/// The error for a file of a kind that this version cannot read or write yet; its exit code is
-/// kFailed.
-Error not_in_this_version(const std::string& path);
 
 /// An opened input.
 struct Input {
@@ -63,6 +44,12 @@ struct OctreeQuery {
   std::optional<uint32_t> frame;       ///< of a stream
   bool missing_is_usage = false;  ///< set where `node`, `resolution` or `frame` is what is wrong
 };
+
+/// A sentence about an option of `query` that none of these inputs can use; empty: there is none.
+std::string useless_option(const OctreeQuery& query, std::span<const Kind> inputs);
+
+/// What the first bytes of a file tell of its kind; else unknown.
+Kind kind_of_content(std::span<const uint8_t> bytes);
 
 /// Picks the OctreeImage that `query` asks for.
 /// Errors  malformed: none or several (the text lists them); bad_argument: no node of that name

@@ -3,7 +3,8 @@
 
 build_packages=(g++ cmake ninja-build libglm-dev libopenimageio-dev openimageio-tools libassimp-dev
   libcli11-dev nlohmann-json3-dev)
-test_packages=(pkg-config libgtest-dev libgmock-dev libbenchmark-dev zlib1g-dev clang-14 libclang-rt-14-dev)
+test_packages=(pkg-config libgtest-dev libgmock-dev libbenchmark-dev zlib1g-dev ffmpeg
+  clang-14 libclang-rt-14-dev)
 demo_packages=(assimp-testmodels)
 
 # Installs those of the packages named that are missing.
