@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "bifs/mp4_source.h"
+
+#include <algorithm>
+
+namespace afx::bifs {
+
+Mp4Source mp4_source(std::span<const uint8_t> bytes) {
+  return {bytes.size(), [bytes](uint64_t offset, std::span<uint8_t> out) -> Status {
+            std::copy_n(bytes.begin() + static_cast<ptrdiff_t>(offset), out.size(), out.begin());
+            return {};
+          }};
+}
+
+}  // namespace afx::bifs

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "codec/error.h"
+
+namespace afx::bifs {
+
+/// A file of any size, read here and there.
+struct Mp4Source {
+  uint64_t size = 0;  ///< bytes
+  /// Fills `out` with the bytes from `offset` on; they lie within `size`. Its errors (io) are
+  /// handed on. Called from one thread at a time.
+  std::function<Status(uint64_t offset, std::span<uint8_t> out)> read;
+};
+
+/// Bytes in memory (or mapped there) as a source; they must live as long as it.
+Mp4Source mp4_source(std::span<const uint8_t> bytes);
+
+/// Takes the bytes of a file one after the other. Its errors (io) are handed on.
+using Mp4Sink = std::function<Status(std::span<const uint8_t>)>;
+
+}  // namespace afx::bifs
