@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -93,9 +94,17 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-/// SFCommandBuffer: the BT text between its braces, exactly as written.
+/// The commands of a command buffer as a layer above has them (bifs/command.h).
+class CommandBufferContent {
+ public:
+  virtual ~CommandBufferContent() = default;
+};
+
+/// SFCommandBuffer: the BT text between its braces, exactly as written, or, if it comes from a
+/// bitstream, the decoded commands.
 struct CommandBuffer {
   std::string text;
+  std::shared_ptr<const CommandBufferContent> content = nullptr;
   bool operator==(const CommandBuffer&) const = default;
 };
 
