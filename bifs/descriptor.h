@@ -65,6 +65,14 @@ struct InitialObjectDescriptor {
   bool operator==(const InitialObjectDescriptor&) const = default;
 };
 
+/// Where a text says the access units of a stream are to be taken from (MuxInfo of BT, StreamSource
+/// of XMT-A). It stands in no bitstream.
+struct MediaSource {
+  std::string file;    ///< a picture, an AFX stream; "scene.mp4#20": track 20 of that file
+  std::string format;  ///< streamFormat: what it is, where its content does not tell; mostly empty
+  bool operator==(const MediaSource&) const = default;
+};
+
 /// ES_Descriptor: one elementary stream.
 struct EsDescriptor {
   uint16_t es_id = 0;                  ///< 0 in MP4 files, where the track ID stands for it
@@ -73,6 +81,7 @@ struct EsDescriptor {
   std::optional<uint16_t> ocr_es_id;   ///< ES_ID of the clock reference stream
   uint8_t priority = 0;                ///< 0..31
   Descriptors parts;                   ///< DecoderConfig, SlConfig, then others
+  std::optional<MediaSource> source = std::nullopt;  ///< in texts only
   bool operator==(const EsDescriptor&) const = default;
 };
 
