@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/byte_text.h"
-#include "nodes/definitions.h"
+#include "nodes/node_text_writer.h"
 #include "nodes/text_cursor.h"
 #include "nodes/value_writer.h"
 
@@ -16,20 +15,26 @@ namespace afx::nodes {
 
 namespace {
 
-class SceneTextWriter {
+/// The names of a scene that is there as a whole.
+class SceneNames final : public NodeNaming {
  public:
-  explicit SceneTextWriter(const Scene& scene)
+  explicit SceneNames(const Scene& scene)
       : scene_(scene), names_(scene.node_count()), written_(scene.node_count()) {
     choose_names();
   }
 
-  std::string write(const SceneWriteOptions& options) {
-    if (options.vrml_header) out_ = "#VRML V2.0 utf8\n";
-    write_scope(Scene::kMain);
-    return std::move(out_);
+  bool stands_here(NodeId id) override { return std::exchange(written_[id.value], 1) == 0; }
+  std::string_view name(NodeId id) override { return names_[id.value]; }
+  std::string route_name(const Route& route) override {
+    return is_identifier(route.name) ? route.name : std::string();
+  }
+  bool can_write(const Route& route) override {
+    return is_written(route.from) && is_written(route.to);
   }
 
  private:
+  [[nodiscard]] bool is_written(NodeId id) const { return id.valid() && written_[id.value] != 0; }
+
   // Every node gets the name it has; where it has none but stands in several places, or the name is
   // no word or not its own, a made one.
   void choose_names() {
@@ -74,185 +79,33 @@ class SceneTextWriter {
     }
   }
 
-  void write_scope(ScopeId id) {
-    const Scope& scope = scene_.scope(id);
-    for (const ProtoId proto : scope.protos) write_proto(scene_.proto(proto));
-    for (const NodeId root : scope.roots) {
-      begin_line();
-      write_node(root);
-    }
-    for (const Route& route : scope.routes) write_route(route);
-  }
-
-  void write_proto(const Proto& proto) {
-    begin_line();
-    out_ += (proto.external ? "EXTERNPROTO " : "PROTO ") + proto.interface.name + " [";
-    ++depth_;
-    for (const FieldDefinition& field : proto.interface.fields()) {
-      begin_line();
-      write_head(field);
-      if (field.has_value()) write_value(field, field.default_value);
-      write_coding(field);
-    }
-    --depth_;
-    begin_line();
-    out_ += "] ";
-    if (proto.external) return append_value(out_, proto.urls, 2 * depth_ + 2);
-    out_ += '{';
-    ++depth_;
-    write_scope(proto.body);
-    --depth_;
-    begin_line();
-    out_ += '}';
-  }
-
-  void write_head(const FieldDefinition& field) {
-    out_ += to_string(field.kind);
-    out_ += ' ';
-    out_ += to_string(field.type);
-    out_ += ' ' + field.name;
-  }
-
-  void write_coding(const FieldDefinition& field) {
-    if (field.quant_category == 0 && field.quant_bits == 0 && field.anim_category == 0 &&
-        !field.bounds)
-      return;
-    out_ += " {";
-    if (field.quant_category != 0) out_ += " QP " + std::to_string(field.quant_category);
-    if (field.quant_bits != 0) out_ += " nbBits " + std::to_string(field.quant_bits);
-    if (field.bounds) {
-      out_ += " b { ";
-      append_number(out_, field.bounds->lower);
-      out_ += ' ';
-      append_number(out_, field.bounds->upper);
-      out_ += " }";
-      if (field.bounds->lower_open) out_ += " OPENMIN";
-      if (field.bounds->upper_open) out_ += " OPENMAX";
-    }
-    if (field.anim_category != 0) out_ += " ANIM " + std::to_string(field.anim_category);
-    out_ += " }";
-  }
-
-  void write_node(NodeId id) {
-    if (!id.valid()) {
-      out_ += "NULL";
-      return;
-    }
-    if (written_[id.value] != 0) {
-      out_ += "USE " + names_[id.value];
-      return;
-    }
-    written_[id.value] = 1;
-    if (!names_[id.value].empty()) out_ += "DEF " + names_[id.value] + ' ';
-    out_ += scene_.type_name(id) + " {";
-    const Node& node = scene_.node(id);
-    const size_t before = out_.size();
-    ++depth_;
-    write_own_fields(id);
-    for (const FieldEntry& entry : node.values)
-      if (!is_own(node, entry.field)) write_field(node.definition->field(entry.field), entry.value);
-    for (const IsLink& link : node.links)
-      if (!is_own(node, link.field)) write_link(node, link);
-    --depth_;
-    if (out_.size() != before) begin_line();
-    out_ += '}';
-  }
-
-  void write_field(const FieldDefinition& field, const FieldValue& value) {
-    begin_line();
-    out_ += field.name;
-    write_value(field, value);
-  }
-
-  void write_link(const Node& node, const IsLink& link) {
-    begin_line();
-    out_ += node.definition->field(link.field).name;
-    write_is(node, link);
-  }
-
-  void write_is(const Node& node, const IsLink& link) {
-    const Proto& proto = scene_.proto(scene_.scope(node.scope).proto);
-    out_ += " IS " + proto.interface.field(link.interface_field).name;
-  }
-
-  /// Whether it is one that the Script declares itself: those stand behind the ones of its type.
-  static bool is_own(const Node& node, FieldIndex field) {
-    return node.own_definition && field.value >= own_begin(node);
-  }
-  static size_t own_begin(const Node& node) {
-    const NodeDefinition* type = definitions().find(node.definition->name);
-    return type == nullptr ? 0 : type->fields().size();
-  }
-
-  /// The declarations of a Script, in their order, with value or IS.
-  void write_own_fields(NodeId id) {
-    const Node& node = scene_.node(id);
-    if (!node.own_definition) return;
-    for (size_t i = own_begin(node); i < node.definition->fields().size(); ++i) {
-      const FieldIndex index{i};
-      const FieldDefinition& field = node.definition->field(index);
-      begin_line();
-      write_head(field);
-      const auto link = std::find_if(node.links.begin(), node.links.end(),
-                                     [&](const IsLink& l) { return l.field == index; });
-      if (link != node.links.end()) {
-        write_is(node, *link);
-      } else if (field.has_value()) {
-        write_value(field, scene_.value(id, index));
-      }
-    }
-  }
-
-  void write_value(const FieldDefinition& field, const FieldValue& value) {
-    out_ += ' ';
-    if (const auto* one = std::get_if<NodeId>(&value)) return write_node(*one);
-    if (const auto* many = std::get_if<std::vector<NodeId>>(&value)) return write_nodes(*many);
-    if (field.bytes) return append_string(out_, text_of_bytes(*std::get_if<std::string>(&value)));
-    append_value(out_, value, 2 * depth_ + 2);
-  }
-
-  void write_nodes(const std::vector<NodeId>& nodes) {
-    out_ += '[';
-    ++depth_;
-    for (const NodeId node : nodes) {
-      begin_line();
-      write_node(node);
-    }
-    --depth_;
-    if (!nodes.empty()) begin_line();
-    out_ += ']';
-  }
-
-  void write_route(const Route& route) {
-    if (!can_be_named(route.from) || !can_be_named(route.to)) return;
-    begin_line();
-    if (is_identifier(route.name)) out_ += "DEF " + route.name + ' ';
-    out_ += "ROUTE " + end_text(route.from, route.from_field) + " TO " +
-            end_text(route.to, route.to_field);
-  }
-  [[nodiscard]] bool can_be_named(NodeId id) const { return id.valid() && written_[id.value] != 0; }
-  [[nodiscard]] std::string end_text(NodeId id, FieldIndex field) const {
-    return names_[id.value] + '.' + scene_.node(id).definition->field(field).name;
-  }
-
-  void begin_line() {
-    if (!out_.empty() && out_.back() != '\n') out_ += '\n';
-    out_.append(2 * depth_, ' ');
-  }
-
   const Scene& scene_;
   std::vector<std::string> names_;  ///< by node number; empty = none needed
   std::vector<uint8_t> written_;    ///< by node number
-  std::string out_;
-  size_t depth_ = 0;
   uint64_t made_names_ = 0;
 };
 
 }  // namespace
 
+Status write_scene_text(const Scene& scene, const TextSink& sink,
+                        const SceneWriteOptions& options) {
+  TextOut out(sink);
+  SceneNames names(scene);
+  NodeTextWriter writer(out, names);
+  if (options.vrml_header) out.text() = "#VRML V2.0 utf8\n";
+  writer.set_scene(scene);
+  writer.write_scope(Scene::kMain);
+  if (!out.at_line_begin()) out.text() += '\n';
+  return out.finish();
+}
+
 std::string write_scene_text(const Scene& scene, const SceneWriteOptions& options) {
-  std::string text = SceneTextWriter(scene).write(options);
-  if (!text.empty() && text.back() != '\n') text += '\n';
+  std::string text;
+  const TextSink keep = [&text](std::string_view piece) -> Status {
+    text += piece;
+    return {};
+  };
+  (void)write_scene_text(scene, keep, options);  // keeping does not fail
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "nodes/scene.h"
+#include "nodes/text_out.h"
 
 namespace afx::nodes {
 
@@ -18,6 +19,9 @@ struct SceneWriteOptions {
 /// name `_N1`, ...; ROUTEs of nodes that stand nowhere are left out. The same scene gives the same
 /// text.
 std::string write_scene_text(const Scene& scene, const SceneWriteOptions& options = {});
+/// The same piece by piece. Errors: those of the sink.
+Status write_scene_text(const Scene& scene, const TextSink& sink,
+                        const SceneWriteOptions& options = {});
 
 /// One value as scene text has it, nodes as "..." or NULL. For messages and dumps.
 std::string value_text(const FieldValue& value);

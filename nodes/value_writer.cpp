@@ -64,12 +64,15 @@ void append_one(std::string& out, const Url& value) {
       out, value.is_descriptor() ? "od:" + std::to_string(value.object_descriptor) : value.text);
 }
 
-template <class Write>
-void append_wrapped(std::string& out, size_t count, size_t indent, Write write) {
+/// `line_ended` is called where a line has ended.
+template <class Write, class LineEnded>
+void append_wrapped(std::string& out, size_t count, size_t indent, Write write,
+                    LineEnded line_ended) {
   size_t line = out.size();
   for (size_t i = 0; i < count; ++i) {
     if (out.size() - line > kLineWidth) {
       out += '\n';
+      line_ended();
       line = out.size();
       out.append(indent, ' ');
     } else {
@@ -83,26 +86,46 @@ void append_one(std::string& out, const Image& value) {
   append_number(out, static_cast<int32_t>(value.width));
   out += ' ' + std::to_string(value.height) + ' ' + std::to_string(value.components);
   if (value.components == 0) return;
-  append_wrapped(out, value.samples.size() / value.components, 2, [&](size_t pixel) {
-    constexpr char kDigits[] = "0123456789ABCDEF";
-    out += "0x";
-    for (size_t c = 0; c < value.components; ++c) {
-      const uint8_t sample = value.samples[pixel * value.components + c];
-      out += kDigits[sample >> 4];
-      out += kDigits[sample & 15];
-    }
-  });
+  append_wrapped(
+      out, value.samples.size() / value.components, 2,
+      [&](size_t pixel) {
+        constexpr char kDigits[] = "0123456789ABCDEF";
+        out += "0x";
+        for (size_t c = 0; c < value.components; ++c) {
+          const uint8_t sample = value.samples[pixel * value.components + c];
+          out += kDigits[sample >> 4];
+          out += kDigits[sample & 15];
+        }
+      },
+      [] {});
 }
 
-template <class T>
-void append_list(std::string& out, const std::vector<T>& list, size_t indent) {
+template <class T, class LineEnded>
+void append_list(std::string& out, const std::vector<T>& list, size_t indent,
+                 LineEnded line_ended) {
   out += '[';
-  append_wrapped(out, list.size(), indent, [&](size_t i) {
-    append_one(out, list[i]);
-    const bool tuple = !std::is_arithmetic_v<T> && !std::is_same_v<T, NodeId>;
-    if (tuple && i + 1 < list.size()) out += ',';
-  });
+  append_wrapped(
+      out, list.size(), indent,
+      [&](size_t i) {
+        append_one(out, list[i]);
+        const bool tuple = !std::is_arithmetic_v<T> && !std::is_same_v<T, NodeId>;
+        if (tuple && i + 1 < list.size()) out += ',';
+      },
+      line_ended);
   out += list.empty() ? "]" : " ]";
+}
+
+template <class LineEnded>
+void append_any(std::string& out, const FieldValue& value, size_t indent, LineEnded line_ended) {
+  std::visit(
+      [&]<class T>(const T& v) {
+        if constexpr (requires { append_one(out, v); }) {
+          append_one(out, v);
+        } else {
+          append_list(out, v, indent, line_ended);
+        }
+      },
+      value);
 }
 
 }  // namespace
@@ -121,15 +144,11 @@ void append_string(std::string& out, std::string_view text) {
 }
 
 void append_value(std::string& out, const FieldValue& value, size_t indent) {
-  std::visit(
-      [&]<class T>(const T& v) {
-        if constexpr (requires { append_one(out, v); }) {
-          append_one(out, v);
-        } else {
-          append_list(out, v, indent);
-        }
-      },
-      value);
+  append_any(out, value, indent, [] {});
+}
+
+void append_value(TextOut& out, const FieldValue& value, size_t indent) {
+  append_any(out.text(), value, indent, [&out] { out.piece(); });
 }
 
 }  // namespace afx::nodes
