@@ -163,7 +163,7 @@ const BadText kBadTexts[] = {
      "1:10: Script: a second field 'url', or more than 65535 fields"},
     // ROUTE
     {"DEF A Transform {} ROUTE A.scale TO B.scale", kMalformed,
-     "1:37: ROUTE: no node 'B' before this"},
+     "1:37: ROUTE: no node 'B' before this [expected a name that DEF gave]"},
     {"DEF A Transform {} ROUTE A.scale A.scale", kMalformed,
      "1:34: ROUTE: found 'A.scale' [expected TO]"},
     {"DEF A Transform {} ROUTE A.scale TO A.rotation", kMalformed,
@@ -174,12 +174,12 @@ const BadText kBadTexts[] = {
      "1:28: ROUTE: no field 'scael' (did you mean 'scale'?)"},
     // what is not read here
     {"InitialObjectDescriptor { objectDescriptorID 1 }", kUnsupported,
-     "1:1: 'InitialObjectDescriptor' is not read here: object descriptors and commands are not "
-     "done yet"},
+     "1:1: 'InitialObjectDescriptor' is not read here: this is a scene without object descriptors and "
+     "commands"},
     {"Group {}\nAT 0 { UPDATE OD [] }", kUnsupported,
-     "2:1: 'AT' is not read here: object descriptors and commands are not done yet"},
+     "2:1: 'AT' is not read here: this is a scene without object descriptors and commands"},
     {"Group {} REPLACE A.b BY 1", kUnsupported,
-     "1:10: 'REPLACE' is not read here: object descriptors and commands are not done yet"},
+     "1:10: 'REPLACE' is not read here: this is a scene without object descriptors and commands"},
     {"#VRML V1.0 ascii\nSeparator {}", kUnsupported,
      "1:1: this is VRML 1.0 [expected VRML 2.0 (VRML97) or BT]"},
 };

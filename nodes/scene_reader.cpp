@@ -15,7 +15,6 @@ namespace afx::nodes {
 namespace {
 
 /// Words that begin the parts of BT which are not scenes: object descriptors and timed commands.
-/// They come with BIFS; whoever reads them takes over in SceneTextReader::refuse_command.
 constexpr std::string_view kCommandWords[] = {"APPEND",
                                               "AT",
                                               "DELETE",
@@ -105,12 +104,6 @@ bool SceneTextReader::read_declaration(ScopeId scope) {
   return read_route(scope, name), true;
 }
 
-/// The place for object descriptors and timed commands.
-void SceneTextReader::refuse_command(std::string_view word, size_t begin) {
-  in_.fail(Errc::unsupported, begin,
-           quoted(word) + " is not read here: object descriptors and commands are not done yet");
-}
-
 NodeId SceneTextReader::read_node(ScopeId scope) {
   if (in_.accept_word("USE")) return read_use(scope);
   if (in_.accept_word("DEF")) return read_def(scope);
@@ -125,18 +118,23 @@ NodeId SceneTextReader::read_use(ScopeId scope) {
   if (in_.peek_word().empty()) return in_.fail_expected("the name of a node after USE"), NodeId{};
   const size_t begin = in_.offset();
   const std::string_view name = in_.take_word();
-  const NodeId id = scene_.find_name(name, scope);
-  if (!id.valid()) {
-    NearestName nearest(name);
-    for (const auto& entry : scene_.scope(scope).names) nearest.offer(entry.first);
-    in_.fail(Errc::malformed, begin,
-             "no node " + quoted(name) + " before this" + nearest.hint() +
-                 " [expected a name that DEF gave]");
-  } else if (open_nodes_[id.value] != 0) {
+  const NodeId id = find_named(name, begin, scope);
+  if (id.valid() && open_nodes_[id.value] != 0) {
     in_.fail(Errc::malformed, begin, "the node " + quoted(name) + " would stand inside itself");
     return {};
   }
   return id;
+}
+
+NodeId SceneTextReader::find_named(std::string_view name, size_t begin, ScopeId scope) {
+  const NodeId id = scene_.find_name(name, scope);
+  if (id.valid()) return id;
+  NearestName nearest(name);
+  for (const auto& entry : scene_.scope(scope).names) nearest.offer(entry.first);
+  in_.fail(Errc::malformed, begin,
+           "no node " + quoted(name) + " before this" + nearest.hint() +
+               " [expected a name that DEF gave]");
+  return {};
 }
 
 NodeId SceneTextReader::read_def(ScopeId scope) {
@@ -181,7 +179,8 @@ NodeId SceneTextReader::make_node(std::string_view type, size_t begin, ScopeId s
     in_.fail(Errc::malformed, begin, "the PROTO " + quoted(type) + " would stand inside itself");
   } else if (std::find(std::begin(kCommandWords), std::end(kCommandWords), type) !=
              std::end(kCommandWords)) {
-    refuse_command(type, begin);
+    in_.fail(Errc::unsupported, begin,
+             quoted(type) + " is not read here: this is a scene without object descriptors and commands");
   } else {
     NearestName nearest(type);
     for (const NodeDefinition& node : definitions().nodes()) nearest.offer(node.name);
@@ -260,16 +259,20 @@ void SceneTextReader::read_field_value(NodeId id, FieldIndex index) {
   if (!field.has_value())
     return in_.fail_expected("IS, for an " + std::string(to_string(field.kind)) + " has no value");
   if (!values_.budget().take(in_, 1, sizeof(FieldEntry))) return;
-  FieldValue value;
-  if (is_node(field.type)) {
-    value = read_nodes(field, scene_.node(id).scope);
-  } else if (field.bytes) {
-    value = values_.read_bytes();
-  } else {
-    value = values_.read(field.type);
-  }
+  FieldValue value = read_value(field, scene_.node(id).scope);
   scene_.node(id).values.push_back(
       {index, std::move(value)});  // read_field sees to it that there is one
+}
+
+FieldValue SceneTextReader::read_value(const FieldDefinition& field, ScopeId scope) {
+  if (is_node(field.type)) return read_nodes(field, scope);
+  if (field.bytes) return values_.read_bytes();
+  if (field.type == FieldType::sf_command_buffer) return read_command_buffer(scope);
+  return values_.read(field.type);
+}
+
+CommandBuffer SceneTextReader::read_command_buffer(ScopeId) {
+  return {std::string(in_.braces()), nullptr};
 }
 
 /// A field that a Script declares: kind, type, name, then value or IS.

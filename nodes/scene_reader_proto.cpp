@@ -142,14 +142,8 @@ FieldIndex SceneTextReader::read_route_end(ScopeId scope, bool source, NodeId& n
   if (in_.peek_word().empty()) return in_.fail_expected("the name of a node"), FieldIndex{};
   const size_t node_begin = in_.offset();
   const std::string_view node_name = in_.take_word();
-  node = scene_.find_name(node_name, scope);
-  if (!node.valid()) {
-    NearestName nearest(node_name);
-    for (const auto& entry : scene_.scope(scope).names) nearest.offer(entry.first);
-    in_.fail(Errc::malformed, node_begin,
-             "no node " + quoted(node_name) + " before this" + nearest.hint());
-    return {};
-  }
+  node = find_named(node_name, node_begin, scope);
+  if (!node.valid()) return {};
   if (!in_.expect('.', "the name of the node")) return {};
   if (in_.peek_word().empty()) return in_.fail_expected("the name of a field"), FieldIndex{};
   const size_t begin = in_.offset();

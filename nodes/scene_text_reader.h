@@ -33,21 +33,28 @@ class SeenFields {
   std::set<FieldIndex> many_;
 };
 
+/// Reads a scene; the reader of BT's commands and descriptors (bifs/bt_text_reader.h) derives from it.
 class SceneTextReader {
  public:
   SceneTextReader(std::string_view text, const Limits& limits, Diagnostics& diagnostics,
                   const SceneReadOptions& options);
+  SceneTextReader(const SceneTextReader&) = delete;
+  SceneTextReader& operator=(const SceneTextReader&) = delete;
+  virtual ~SceneTextReader() = default;
   Result<Scene> read();
 
- private:
+ protected:
+  /// What stands in the braces of a command buffer.
+  virtual CommandBuffer read_command_buffer(ScopeId scope);
+
   // scene_reader.cpp: statements and nodes
   void read_header();
   void read_statement(ScopeId scope);
   bool read_declaration(ScopeId scope);
-  void refuse_command(std::string_view word, size_t begin);
   NodeId read_node(ScopeId scope);
   NodeId read_node_or_null(ScopeId scope);
   NodeId read_use(ScopeId scope);
+  NodeId find_named(std::string_view name, size_t begin, ScopeId scope);
   NodeId read_def(ScopeId scope);
   NodeId read_new_node(ScopeId scope, std::string_view def_name);
   NodeId make_node(std::string_view type, size_t begin, ScopeId scope);
@@ -56,6 +63,7 @@ class SceneTextReader {
   void read_field(NodeId id, SeenFields& seen);
   void read_own_field(NodeId script);
   void read_field_value(NodeId id, FieldIndex field);
+  FieldValue read_value(const FieldDefinition& field, ScopeId scope);
   FieldValue read_nodes(const FieldDefinition& field, ScopeId scope);
   NodeId read_child(const FieldDefinition& field, ScopeId scope);
   FieldIndex find_field(const NodeDefinition& definition, std::string_view name, size_t begin);

@@ -26,6 +26,10 @@ class TextCursor {
   [[nodiscard]] const Error& error() const { return error_; }
   [[nodiscard]] size_t offset() const { return static_cast<size_t>(at_ - text_.data()); }
   [[nodiscard]] std::string_view text() const { return text_; }
+  /// Goes to an offset of the text, unless there has been a failure.
+  void seek(size_t offset) {
+    if (ok_) at_ = text_.data() + offset;
+  }
   [[nodiscard]] size_t bytes_left() const { return static_cast<size_t>(end_ - at_); }
 
   /// Goes over the byte order mark that some editors put first.
