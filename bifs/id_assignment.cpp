@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "bifs/id_assignment.h"
+
+#include <charconv>
+#include <vector>
+
+namespace afx::bifs {
+
+using nodes::NodeId;
+
+std::optional<uint32_t> id_of_name(char letter, std::string_view name) {
+  if (name.size() < 2 || name[0] != letter) return std::nullopt;
+  name.remove_prefix(1);
+  if (name[0] == '0' && name.size() > 1) return std::nullopt;
+  uint32_t number = 0;
+  const auto [stop, failure] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool whole = failure == std::errc{} && stop == name.data() + name.size();
+  if (!whole || number >= (uint32_t{1} << 31) - 1) return std::nullopt;
+  return number + 1;
+}
+
+uint32_t TakenIds::take_new(std::optional<uint32_t> wanted) {
+  if (wanted && taken_.insert(*wanted).second) return *wanted;
+  while (!taken_.insert(next_).second) ++next_;
+  return next_++;
+}
+
+void assign_node_ids(nodes::Scene& scene, NodeId first) {
+  std::vector<TakenIds> taken(scene.scope_count());
+  for (NodeId id = first; id.value < scene.node_count(); ++id.value) {
+    const nodes::Node& node = scene.node(id);
+    if (node.id != 0) taken[node.scope.value].take(node.id);
+  }
+  for (NodeId id = first; id.value < scene.node_count(); ++id.value) {
+    nodes::Node& node = scene.node(id);
+    if (node.name.empty() || node.id != 0) continue;
+    node.id = taken[node.scope.value].take_new(id_of_name('N', node.name));
+  }
+}
+
+uint32_t RouteIds::id_of_new(std::string_view name) {
+  const uint32_t id = taken_.take_new(id_of_name('R', name));
+  names_[std::string(name)] = id;
+  return id;
+}
+
+void RouteIds::note(std::string_view name, uint32_t id) {
+  taken_.take(id);
+  names_[std::string(name)] = id;
+}
+
+std::optional<uint32_t> RouteIds::find(std::string_view name) const {
+  const auto found = names_.find(name);
+  return found == names_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace afx::bifs
