@@ -133,6 +133,9 @@ struct BufferedCommands final : nodes::CommandBufferContent {
   std::vector<Command> commands;
 };
 
+/// Command buffers stand at most this deep in each other.
+inline constexpr uint32_t kMaxBufferDepth = 16;
+
 /// The element that an XReplace of a list of nodes speaks of, given that list: not valid if it is
 /// not there, or its index comes from a field of another type.
 nodes::NodeId xreplace_element(const nodes::Scene& scene, const XReplace& command,

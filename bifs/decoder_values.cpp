@@ -29,8 +29,6 @@ concept List = requires {
   typename ElementOf<T>::type;
 };
 
-constexpr uint32_t kMaxBufferDepth = 16;
-
 }  // namespace
 
 ElementCoding FrameDecoder::coding_of(const FieldDefinition& field,

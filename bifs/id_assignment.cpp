@@ -27,15 +27,33 @@ uint32_t TakenIds::take_new(std::optional<uint32_t> wanted) {
 }
 
 void assign_node_ids(nodes::Scene& scene, NodeId first) {
-  std::vector<TakenIds> taken(scene.scope_count());
-  for (NodeId id = first; id.value < scene.node_count(); ++id.value) {
+  std::vector<TakenIds> taken(scene.scope_count());  // since `first`
+  std::vector<TakenIds> ever(scene.scope_count());
+  for (NodeId id{uint32_t{0}}; id.value < scene.node_count(); ++id.value) {
     const nodes::Node& node = scene.node(id);
-    if (node.id != 0) taken[node.scope.value].take(node.id);
+    if (node.id == 0) continue;
+    ever[node.scope.value].take(node.id);
+    if (id >= first) taken[node.scope.value].take(node.id);
   }
   for (NodeId id = first; id.value < scene.node_count(); ++id.value) {
     nodes::Node& node = scene.node(id);
     if (node.name.empty() || node.id != 0) continue;
-    node.id = taken[node.scope.value].take_new(id_of_name('N', node.name));
+    const size_t scope = node.scope.value;
+    const std::optional<uint32_t> wanted = id_of_name('N', node.name);
+    const bool free = wanted && !taken[scope].is_taken(*wanted);
+    node.id = free ? *wanted : ever[scope].take_new(std::nullopt);
+    taken[scope].take(node.id);
+    ever[scope].take(node.id);
+  }
+}
+
+void assign_proto_ids(nodes::Scene& scene) {
+  TakenIds taken;
+  for (size_t i = 0; i < scene.proto_count(); ++i)
+    if (const uint32_t id = scene.proto(nodes::ProtoId{i}).id; id != 0) taken.take(id);
+  for (size_t i = 0; i < scene.proto_count(); ++i) {
+    nodes::Proto& proto = scene.proto(nodes::ProtoId{i});
+    if (proto.id == 0) proto.id = taken.take_new(std::nullopt);
   }
 }
 

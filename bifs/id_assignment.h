@@ -26,6 +26,7 @@ class TakenIds {
   void take(uint32_t id) { taken_.insert(id); }
   /// Takes an ID: the wanted one if it is free, otherwise the smallest free one, from 1.
   uint32_t take_new(std::optional<uint32_t> wanted);
+  [[nodiscard]] bool is_taken(uint32_t id) const { return taken_.contains(id); }
 
  private:
   std::set<uint32_t> taken_;
@@ -36,9 +37,14 @@ class TakenIds {
 /// by scope: that of the name (N<k>) if it is free there, otherwise the smallest free one. IDs that
 /// nodes have already are taken from the start.
 ///
-/// first  the nodes before it are left alone and their IDs count as free: they belong to a scene
-///        that a scene replacement dropped
+/// first  the nodes before it belong to a scene that a scene replacement dropped: they are left
+///        alone, and their IDs are free for names that ask for them (N<k>); other names get new
+///        ones
 void assign_node_ids(nodes::Scene& scene, nodes::NodeId first = nodes::NodeId{uint32_t{0}});
+
+/// Gives IDs to the PROTOs that have none yet, in the order of their declaration; no two PROTOs of
+/// a scene have the same.
+void assign_proto_ids(nodes::Scene& scene);
 
 /// The IDs of ROUTEs, given as they are read: commands name a ROUTE by its ID. One for a scope.
 class RouteIds {

@@ -174,7 +174,8 @@ const BadText kBadTexts[] = {
      "1:28: ROUTE: no field 'scael' (did you mean 'scale'?)"},
     // what is not read here
     {"InitialObjectDescriptor { objectDescriptorID 1 }", kUnsupported,
-     "1:1: 'InitialObjectDescriptor' is not read here: this is a scene without object descriptors and "
+     "1:1: 'InitialObjectDescriptor' is not read here: this is a scene without object descriptors "
+     "and "
      "commands"},
     {"Group {}\nAT 0 { UPDATE OD [] }", kUnsupported,
      "2:1: 'AT' is not read here: this is a scene without object descriptors and commands"},

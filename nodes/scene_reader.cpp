@@ -180,7 +180,8 @@ NodeId SceneTextReader::make_node(std::string_view type, size_t begin, ScopeId s
   } else if (std::find(std::begin(kCommandWords), std::end(kCommandWords), type) !=
              std::end(kCommandWords)) {
     in_.fail(Errc::unsupported, begin,
-             quoted(type) + " is not read here: this is a scene without object descriptors and commands");
+             quoted(type) +
+                 " is not read here: this is a scene without object descriptors and commands");
   } else {
     NearestName nearest(type);
     for (const NodeDefinition& node : definitions().nodes()) nearest.offer(node.name);

@@ -33,7 +33,8 @@ class SeenFields {
   std::set<FieldIndex> many_;
 };
 
-/// Reads a scene; the reader of BT's commands and descriptors (bifs/bt_text_reader.h) derives from it.
+/// Reads a scene; the reader of BT's commands and descriptors (bifs/bt_text_reader.h) derives from
+/// it.
 class SceneTextReader {
  public:
   SceneTextReader(std::string_view text, const Limits& limits, Diagnostics& diagnostics,

@@ -65,6 +65,7 @@ class TextCursor {
   /// 0.
   int32_t int32();
   uint32_t uint32();
+  uint64_t uint64();  ///< decimal only
   float float32();
   double float64();
   /// TRUE, FALSE, true, false.

@@ -115,6 +115,16 @@ uint32_t TextCursor::uint32() {
   return static_cast<uint32_t>(integer_slow(0, UINT32_MAX, "number"));
 }
 
+uint64_t TextCursor::uint64() {
+  skip_space();
+  const size_t begin = offset();
+  const std::string_view token = take_token();
+  if (const auto number = parse_all<uint64_t>(token, 10)) return *number;
+  at_ = text_.data() + begin;
+  fail_expected("a number of at most 64 bits");
+  return 0;
+}
+
 int64_t TextCursor::integer_slow(int64_t low, int64_t high, std::string_view kind) {
   skip_space();
   const size_t begin = offset();

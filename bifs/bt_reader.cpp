@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Statements of BT, their times, and the scene that the commands begin with.
+#include "bifs/bt_reader.h"
+
+#include <algorithm>
+
+#include "bifs/bt_text_reader.h"
+#include "nodes/definitions.h"
+
+namespace afx::bifs {
+
+using nodes::NodeId;
+using nodes::ProtoId;
+using nodes::quoted;
+using nodes::Scene;
+using nodes::ScopeId;
+using nodes::TextCursor;
+
+Result<Presentation> read_bt(std::string_view text, const Limits& limits, Diagnostics& diagnostics,
+                             const nodes::SceneReadOptions& options) {
+  return BtTextReader(text, limits, diagnostics, options).read_presentation();
+}
+
+Result<Presentation> BtTextReader::read_presentation() {
+  read_header();
+  begin_epoch();
+  while (!in_.at_end()) read_top();
+  end_scene();
+  end_epoch();
+  if (!in_.ok()) return in_.error();
+  out_.scene = std::move(scene_);
+  return std::move(out_);
+}
+
+void BtTextReader::read_top() {
+  in_.skip_space();
+  const size_t begin = in_.offset();
+  const std::string_view word = in_.peek_word();
+  if (word == "InitialObjectDescriptor" || word == "ObjectDescriptor") {
+    if (has_initial_ || !out_.units.empty() || scene_.node_count() > 0)
+      return in_.fail(Errc::malformed, begin,
+                      quoted(word) + " behind the beginning [expected it first, and once]");
+    in_.take_word();
+    has_initial_ = true;
+    out_.initial = read_initial_object();
+  } else if (word == "AT" || word == "RAP") {
+    end_scene();
+    read_timed();
+  } else {
+    read_scene_statement(begin);
+  }
+}
+
+/// A command outside of AT, or a part of the scene that no command begins.
+void BtTextReader::read_scene_statement(size_t begin) {
+  Commands commands;
+  OdCommands descriptors;
+  const std::string_view word = in_.peek_word();
+  TextCursor ahead = in_;
+  ahead.take_word();
+  const bool is_scene_command = word == "REPLACE" && ahead.peek_word() == "SCENE";
+  if (scene_open_ && is_scene_command) end_scene();
+  if (read_descriptor_command(word, descriptors)) {
+    if (!in_.ok()) return;
+    auto& unit = std::get<OdCommands>(unit_at(0, true, true).commands);
+    unit.insert(unit.end(), descriptors.begin(), descriptors.end());
+    return;
+  }
+  if (!scene_.find_proto(word).valid() && read_scene_command(word, commands)) {
+    if (!in_.ok()) return;
+    end_scene();
+    auto& unit = std::get<Commands>(unit_at(0, false, true).commands);
+    std::move(commands.begin(), commands.end(), std::back_inserter(unit));
+    return;
+  }
+  if (!scene_open_)
+    return in_.fail(Errc::malformed, begin,
+                    "found " + quoted(word.empty() ? in_.text().substr(begin, 1) : word) +
+                        " behind the scene [expected AT or a command]");
+  read_statement(Scene::kMain);
+}
+
+/// What has been read of the scene becomes a command of time 0.
+void BtTextReader::end_scene() {
+  if (!scene_open_ || !in_.ok()) return;
+  scene_open_ = false;
+  nodes::Scope& scope = scene_.scope();
+  if (scope.roots.empty() && scope.routes.empty() && scope.protos.empty()) return;
+  read_buffers();
+  SceneReplacement command;
+  settle_roots(command);
+  command.protos = scope.protos;
+  command.routes = std::exchange(scope.routes, {});
+  for (nodes::Route& route : command.routes)
+    if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name);
+  auto& commands = std::get<Commands>(unit_at(0, false, true).commands);
+  commands.insert(commands.begin(), std::move(command));
+}
+
+/// A scene has one top node, of a type that may stand there: others go under a Group.
+void BtTextReader::settle_roots(SceneReplacement& command) {
+  std::vector<NodeId> roots = std::exchange(scene_.scope().roots, {});
+  if (roots.empty()) return;
+  if (roots.size() == 1 && is_top_node(roots[0])) {
+    command.root = roots[0];
+    return;
+  }
+  in_.warn("top_nodes", 0,
+           roots.size() == 1 ? "a " + scene_.type_name(roots[0]) +
+                                   " may not be the top node; it is put in a Group"
+                             : std::to_string(roots.size()) + " top nodes are put in a Group");
+  const Result<NodeId> group = scene_.add("Group");
+  if (!group.ok()) return;
+  command.root = group.value();
+  for (const NodeId root : roots) {
+    const Status appended = scene_.append(command.root, "children", root);
+    if (!appended.ok()) in_.fail(Errc::malformed, 0, "the top node: " + appended.error().text);
+  }
+}
+
+bool BtTextReader::is_top_node(NodeId id) const {
+  static const auto kTopNode = nodes::definitions().find_data_type("SFTopNode");
+  if (!id.valid() || !kTopNode) return true;
+  const nodes::Node& node = scene_.node(id);
+  return contains(node.definition->data_types, *kTopNode);
+}
+
+/// `[RAP] AT [D]time [IN stream] { commands }`.
+void BtTextReader::read_timed() {
+  const bool random_access = in_.accept_word("RAP");
+  if (!expect_word("AT")) return;
+  const uint64_t time = read_time();
+  if (in_.accept_word("IN") || in_.accept_word("in")) {
+    in_.skip_space();
+    const size_t begin = in_.offset();
+    const uint32_t stream = in_.uint32();
+    const EsDescriptor* const scene = scene_stream(out_.initial);
+    const EsDescriptor* const descriptors = object_descriptor_stream(out_.initial);
+    const bool known = stream == (scene != nullptr ? scene->es_id : 1U) ||
+                       (descriptors != nullptr && stream == descriptors->es_id);
+    if (!known)
+      in_.fail(Errc::unsupported, begin,
+               "commands in the stream " + std::to_string(stream) +
+                   " [expected the first scene stream or that of object descriptors]");
+  }
+  last_time_ = time;
+  read_commands(time, random_access);
+}
+
+uint64_t BtTextReader::read_time() {
+  in_.skip_space();
+  const size_t begin = in_.offset();
+  const bool relative = in_.peek() == 'D';
+  if (relative) in_.seek(begin + 1);
+  const uint64_t time = in_.uint64();
+  constexpr uint64_t kMostTime = uint64_t{1} << 62;
+  if (time > kMostTime || (relative && last_time_ > kMostTime - time))
+    in_.fail(Errc::malformed, begin, "a time beyond 2^62 ticks");
+  return relative ? last_time_ + time : time;
+}
+
+void BtTextReader::read_commands(uint64_t time, bool random_access) {
+  const size_t opened = (in_.skip_space(), in_.offset());
+  if (!in_.expect('{', "the time")) return;
+  Commands commands;
+  OdCommands descriptors;
+  while (!in_.accept('}')) {
+    if (in_.at_end()) return in_.fail_unclosed(opened, "'}'");
+    const std::string_view word = in_.peek_word();
+    if (!read_descriptor_command(word, descriptors) && !read_scene_command(word, commands))
+      return in_.fail_expected("a command or '}'");
+    if (!values_.budget().take(in_, 1, sizeof(Command))) return;
+  }
+  read_buffers();
+  if (!in_.ok()) return;
+  if (!descriptors.empty()) {
+    auto& unit = std::get<OdCommands>(unit_at(time, true, true).commands);
+    std::move(descriptors.begin(), descriptors.end(), std::back_inserter(unit));
+  }
+  if (!commands.empty()) {
+    auto& unit = std::get<Commands>(unit_at(time, false, random_access).commands);
+    std::move(commands.begin(), commands.end(), std::back_inserter(unit));
+  }
+}
+
+/// The access unit of that time, made where it belongs if it is not there: the scene's before the
+/// descriptors'.
+AccessUnit& BtTextReader::unit_at(uint64_t time, bool descriptors, bool random_access) {
+  const auto key = [](const AccessUnit& unit) {
+    return std::pair(unit.time, std::holds_alternative<OdCommands>(unit.commands));
+  };
+  const std::pair wanted(time, descriptors);
+  auto& units = out_.units;
+  const auto at = std::lower_bound(
+      units.begin(), units.end(), wanted,
+      [&](const AccessUnit& unit, const std::pair<uint64_t, bool>& k) { return key(unit) < k; });
+  if (at != units.end() && key(*at) == wanted) return *at;
+  AccessUnit unit;
+  unit.time = time;
+  unit.random_access = random_access;
+  if (descriptors) unit.commands = OdCommands();
+  return *units.insert(at, std::move(unit));
+}
+
+/// From here on IDs and names are those of a new scene.
+void BtTextReader::begin_epoch() {
+  epoch_ = NodeId{scene_.node_count()};
+  nodes::Scope& scope = scene_.scope();
+  scope.names.clear();
+  scope.proto_names.clear();
+  scope.protos.clear();
+  scope.routes.clear();
+  scope.roots.clear();
+  route_ids_ = {};
+  lists_.clear();
+}
+
+void BtTextReader::end_epoch() {
+  read_buffers();
+  if (!in_.ok()) return;
+  assign_node_ids(scene_, epoch_);
+  assign_proto_ids(scene_);
+}
+
+nodes::CommandBuffer BtTextReader::read_command_buffer(ScopeId scope) {
+  in_.skip_space();
+  const size_t begin = in_.offset() + 1;
+  const std::string_view text = in_.braces();
+  TextCursor inside = in_;
+  inside.seek(begin);
+  inside.skip_space();
+  if (!in_.ok() || inside.offset() >= begin + text.size()) return {};  // nothing in it
+  if (buffer_depth_ >= kMaxBufferDepth) {
+    in_.fail(Errc::limit_exceeded, begin,
+             "command buffers nested deeper than " + std::to_string(kMaxBufferDepth));
+    return {};
+  }
+  auto commands = std::make_shared<BufferedCommands>();
+  buffers_.push_back({begin, scope, buffer_depth_ + 1, commands});
+  return {{}, std::move(commands)};
+}
+
+/// Command buffers may speak of nodes that come after them.
+void BtTextReader::read_buffers() {
+  while (!buffers_.empty() && in_.ok()) {
+    const Buffer buffer = buffers_.front();
+    buffers_.pop_front();
+    const TextCursor behind = in_;
+    const ScopeId scope = std::exchange(scope_, buffer.scope);
+    buffer_depth_ = buffer.depth;
+    in_.seek(buffer.begin);
+    while (!in_.accept('}') && in_.ok()) {
+      if (!read_scene_command(in_.peek_word(), buffer.commands->commands))
+        return in_.fail_expected("a command of the scene or '}'");
+      if (!values_.budget().take(in_, 1, sizeof(Command))) return;
+    }
+    buffer_depth_ = 0;
+    scope_ = scope;
+    if (in_.ok()) in_ = behind;
+  }
+}
+
+}  // namespace afx::bifs
