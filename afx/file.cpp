@@ -281,6 +281,7 @@ struct OutputFiles::Output {
   std::string real;               // where it goes
   std::string temporary;          // empty: written directly
   TemporaryName* name = nullptr;  // of `temporary`
+  std::unique_ptr<Descriptor> file;  // of `temporary`, while it is written
   std::vector<uint8_t> direct;    // what commit() writes to a pipe or device
   // exchanged: the old file has the temporary name; replaced: the old file is gone
   enum class State { waiting, named, exchanged, replaced } state = State::waiting;
@@ -295,12 +296,14 @@ struct OutputFiles::Output {
     release_temporary_name(name);
   }
 
-  Status write_temporary(std::span<const uint8_t> bytes, const Target& target);
+  Status open_temporary(const Target& target);
+  Status append(std::span<const uint8_t> piece);
+  Status close();
   Status give_name(bool overwrite);
   void take_back();
 };
 
-Status OutputFiles::Output::write_temporary(std::span<const uint8_t> bytes, const Target& target) {
+Status OutputFiles::Output::open_temporary(const Target& target) {
   int fd = -1;
   do {  // a name left over by another process with our number: take the next
     if (name != nullptr) release_temporary_name(name);
@@ -314,11 +317,21 @@ Status OutputFiles::Output::write_temporary(std::span<const uint8_t> bytes, cons
     release_temporary_name(std::exchange(name, nullptr));
     return io_error(path, "cannot be written", reason);
   }
-  Descriptor file(fd);
+  file = std::make_unique<Descriptor>(fd);
   if (target.exists) static_cast<void>(::fchmod(fd, target.mode));  // as good as it gets
-  if (Status status = write_all(fd, path, bytes); !status.ok()) return status;
-  if (const int reason = file.close(); reason != 0)
-    return io_error(path, "cannot be written", reason);
+  return {};
+}
+
+Status OutputFiles::Output::append(std::span<const uint8_t> piece) {
+  if (file != nullptr) return write_all(file->get(), path, piece);
+  direct.insert(direct.end(), piece.begin(), piece.end());
+  return {};
+}
+
+Status OutputFiles::Output::close() {
+  const int reason = file != nullptr ? file->close() : 0;
+  file.reset();
+  if (reason != 0) return io_error(path, "cannot be written", reason);
   return {};
 }
 
@@ -370,8 +383,8 @@ Status OutputFiles::check(const std::string& path) const {
   return {};
 }
 
-Status OutputFiles::put(const std::string& path, std::span<const uint8_t> bytes) {
-  if (Status status = check(path); !status.ok()) return status;
+Result<OutputFiles::Sink> OutputFiles::begin(const std::string& path) {
+  if (Status status = check(path); !status.ok()) return status.error();
   const Result<Target> target = look_at(path);
   if (!target.ok()) return target.error();
   auto output = std::make_unique<Output>();
@@ -380,18 +393,27 @@ Status OutputFiles::put(const std::string& path, std::span<const uint8_t> bytes)
   for (const auto& other : outputs_)
     if (other->real == output->real)
       return Error{Errc::bad_argument, {}, "is named twice as an output", {}, path};
-  if (!target.value().regular) {
-    output->direct.assign(bytes.begin(), bytes.end());
-  } else if (Status status = output->write_temporary(bytes, target.value()); !status.ok()) {
-    return status;
-  }
+  if (target.value().regular)
+    if (Status status = output->open_temporary(target.value()); !status.ok()) return status.error();
+  Output* const begun = output.get();
   outputs_.push_back(std::move(output));
-  return {};
+  return Sink([begun](std::span<const uint8_t> piece) { return begun->append(piece); });
+}
+
+Status OutputFiles::put(const std::string& path, std::span<const uint8_t> bytes) {
+  Result<Sink> sink = begin(path);
+  if (!sink.ok()) return sink.error();
+  Status status = sink.value()(bytes);
+  if (status.ok()) status = outputs_.back()->close();
+  if (!status.ok()) outputs_.pop_back();
+  return status;
 }
 
 Status OutputFiles::commit() {
   const SignalsHeld held;
   Status status;
+  for (const auto& output : outputs_)
+    if (status.ok()) status = output->close();
   size_t named = 0;
   for (; named < outputs_.size() && status.ok(); ++named)
     if (!outputs_[named]->temporary.empty()) status = outputs_[named]->give_name(overwrite_);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -71,6 +72,12 @@ class OutputFiles {
   /// it points to is replaced, or made where it is not there. An existing file's permissions are
   /// kept. Errors  io: as check(), or cannot be written; bad_argument: `path` was put in before
   Status put(const std::string& path, std::span<const uint8_t> bytes);
+
+  /// Takes the bytes of an output piece by piece; good until commit() or the end of this object.
+  using Sink = std::function<Status(std::span<const uint8_t> piece)>;
+  /// Begins an output whose bytes come piece by piece, otherwise as put(). What goes to a pipe is
+  /// kept in memory until commit(). Errors  as put(); the sink's: io
+  Result<Sink> begin(const std::string& path);
 
   /// Gives all outputs their names. If one of them cannot have it, those before are taken back and
   /// what stood there is put back (where the file system can exchange names; otherwise they stay).

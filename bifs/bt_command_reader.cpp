@@ -329,9 +329,12 @@ void BtTextReader::read_insert_proto(Commands& out) {
 
 /// `DELETEPROTO [ names ]` or ALL.
 void BtTextReader::read_delete_proto(Commands& out) {
-  if (in_.accept_word("ALL")) return out.push_back(AllProtoDeletion{});
-  ProtoDeletion command;
   assign_proto_ids(scene_);
+  if (in_.accept_word("ALL")) {
+    forget_protos(scene_.scope(scope_).protos);
+    return out.push_back(AllProtoDeletion{});
+  }
+  ProtoDeletion command;
   const size_t opened = (in_.skip_space(), in_.offset());
   if (!in_.expect('[', "DELETEPROTO")) return;
   while (!in_.accept(']')) {
@@ -342,8 +345,21 @@ void BtTextReader::read_delete_proto(Commands& out) {
     const ProtoId proto = scene_.find_proto(name, scope_);
     if (!proto.valid()) return in_.fail(Errc::malformed, begin, "no PROTO " + quoted(name));
     command.proto_ids.push_back(scene_.proto(proto).id);
+    forget_protos({proto});
   }
   out.push_back(std::move(command));
+}
+
+/// Their names may be given again.
+void BtTextReader::forget_protos(const std::vector<ProtoId>& deleted) {
+  if (buffer_depth_ > 0) return;
+  nodes::Scope& scope = scene_.scope(scope_);
+  const std::vector<ProtoId> gone = deleted;  // it may be the list that is changed
+  const auto is_gone = [&](ProtoId id) {
+    return std::find(gone.begin(), gone.end(), id) != gone.end();
+  };
+  std::erase_if(scope.protos, is_gone);
+  std::erase_if(scope.proto_names, [&](const auto& entry) { return is_gone(entry.second); });
 }
 
 NodeId BtTextReader::read_target_node() {

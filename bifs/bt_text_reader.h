@@ -67,6 +67,7 @@ class BtTextReader final : private nodes::SceneTextReader {
   void read_child_field(XReplace& command);
   void read_insert_proto(Commands& out);
   void read_delete_proto(Commands& out);
+  void forget_protos(const std::vector<nodes::ProtoId>& deleted);
   void insertion(const FieldRef& target, Position position, Commands& out);
   nodes::NodeId read_target_node();
   FieldRef read_target(nodes::IndexMode mode);

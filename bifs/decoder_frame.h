@@ -98,6 +98,7 @@ class FrameDecoder {
   void warn(std::string_view code, const std::string& text);
   bool take(uint64_t count, size_t bytes);
   std::string read_name(std::string_view what);
+  void take_name(std::string_view what, std::string& name, bool of_type);
   ScopeIds& ids() { return state_.ids[scope_]; }
 
   // decoder_commands.cpp

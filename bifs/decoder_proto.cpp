@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bifs/decoder_frame.h"
+#include "nodes/text_cursor.h"
 
 namespace afx::bifs {
 
@@ -47,16 +48,12 @@ ProtoId FrameDecoder::read_proto() {
   return proto;
 }
 
-/// Names are made up where the stream has none.
+/// Names are made up where the stream has none, or one that could not be told from others.
 ProtoId FrameDecoder::declare_proto(uint32_t id) {
-  std::string name;
-  if (state_.use_names) {
-    name = read_name("protoName");
-  } else if (proto_.valid()) {
-    name = state_.scene.proto(proto_).interface.name + "_" + std::to_string(id);
-  } else {
-    name = "Proto" + std::to_string(id);
-  }
+  const std::string made = proto_.valid() ? state_.scene.proto(proto_).interface.name + "_"
+                                          : std::string("Proto");
+  std::string name = made + std::to_string(id);
+  if (state_.use_names) take_name("protoName", name, true);
   if (!take(1, sizeof(nodes::Proto) + sizeof(nodes::Scope) + 2 * name.size())) return {};
   Result<ProtoId> proto = state_.scene.add_proto(name, false, scope_);
   if (!proto.ok() && state_.use_names)
@@ -66,6 +63,19 @@ ProtoId FrameDecoder::declare_proto(uint32_t id) {
     proto = state_.scene.add_proto(name + "_" + std::to_string(copy), false, scope_);
   state_.scene.proto(proto.value()).id = id;
   return proto.value();
+}
+
+/// Reads a name into `name`, which stays as it is, with a warning, if scenes and texts cannot hold
+/// what is read: no identifier, or, for a type of nodes, the name of another.
+void FrameDecoder::take_name(std::string_view what, std::string& name, bool of_type) {
+  const std::string read = read_name(what);
+  if (!ok()) return;
+  const bool taken = of_type && nodes::definitions().find(read) != nullptr;
+  if (nodes::is_identifier(read) && !taken) {
+    name = read;
+  } else {
+    warn("name_changed", "the name '" + read + "' cannot be used; it is '" + name + "' here");
+  }
 }
 
 void FrameDecoder::read_interface(ProtoId proto) {
@@ -87,7 +97,8 @@ FieldDefinition FrameDecoder::read_interface_field(size_t number) {
   if (!type) fail(Errc::unsupported, "a field of type " + std::to_string(code));
   if (!ok()) return field;
   field.type = *type;
-  field.name = state_.use_names ? read_name("fieldName") : "_field" + std::to_string(number);
+  field.name = "_field" + std::to_string(number);
+  if (state_.use_names) take_name("fieldName", field.name, false);
   field.default_value = zero_value(field.type);
   if (!field.has_value()) return field;
   // Defaults are never quantized, but efficient floats count.

@@ -356,7 +356,8 @@ bool FrameDecoder::read_script_field(NodeId script, std::vector<std::string>& id
   field.kind = kKinds[kind];
   field.type = *type;
   field.default_value = zero_value(field.type);
-  field.name = read_name("fieldName");
+  field.name = "_field" + std::to_string(identifiers.size());
+  take_name("fieldName", field.name, false);
   const Part part(*this, field.name);
   identifiers.push_back(field.name);
   const FieldDefinition held = field;

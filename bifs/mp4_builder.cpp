@@ -117,8 +117,19 @@ Descriptor make_initial_object(uint32_t scene_track, uint32_t od_track) {
 
 size_t Mp4Builder::add_track(Mp4Track track) {
   movie.tracks.push_back(std::move(track));
-  media_.resize(movie.tracks.size());
+  samples_.resize(movie.tracks.size());
   return movie.tracks.size() - 1;
+}
+
+size_t Mp4Builder::add_media(Media media) {
+  const size_t track = add_track(std::move(media.track));
+  samples_[track].elsewhere = std::move(media.bytes);
+  return track;
+}
+
+void Mp4Builder::delay_track(size_t track, uint64_t ticks) {
+  const uint64_t duration = rescale(ticks, movie.tracks[track].timescale, movie.timescale);
+  movie.tracks[track].edits = {{duration, -1}, {0, 0}};
 }
 
 void Mp4Builder::add_sample(size_t track, std::vector<uint8_t> bytes, uint64_t time,
@@ -127,28 +138,29 @@ void Mp4Builder::add_sample(size_t track, std::vector<uint8_t> bytes, uint64_t t
   sample.time = time;
   sample.random_access = random_access;
   movie.tracks[track].samples.push_back(sample);
-  media_[track].samples.push_back(std::move(bytes));
-  media_[track].times.push_back(time);
+  samples_[track].bytes.push_back(std::move(bytes));
+  samples_[track].times.push_back(time);
 }
 
 void Mp4Builder::set_last_duration(size_t track, uint32_t ticks) {
-  media_[track].last_duration = ticks;
+  samples_[track].last_duration = ticks;
 }
 
 Status Mp4Builder::fill_samples(size_t place) {
   Mp4Track& track = movie.tracks[place];
-  const Media& media = media_[place];
+  const Samples& media = samples_[place];
+  if (media.elsewhere) return {};
   const auto bad = [&track](const std::string& text) {
     return Error{Errc::bad_argument, Place::none(),
                  "track " + std::to_string(track.id) + ": " + text};
   };
   if (track.timescale == 0) return bad("the timescale is 0 (expected 1 or more)");
-  if (media.samples.size() != track.samples.size()) {
+  if (media.bytes.size() != track.samples.size()) {
     return bad("samples were added to the movie without their bytes (expected add_sample)");
   }
   for (size_t i = 0; i < track.samples.size(); ++i) {
-    if (media.samples[i].size() > 0xFFFFFFFF) return bad("a sample has 4 GB or more");
-    track.samples[i].size = static_cast<uint32_t>(media.samples[i].size());
+    if (media.bytes[i].size() > 0xFFFFFFFF) return bad("a sample has 4 GB or more");
+    track.samples[i].size = static_cast<uint32_t>(media.bytes[i].size());
     const bool last = i + 1 == track.samples.size();
     const uint64_t next = last ? media.times[i] + media.last_duration : media.times[i + 1];
     if (next < media.times[i] || next - media.times[i] > 0xFFFFFFFF) {
@@ -185,17 +197,19 @@ void Mp4Builder::fill_config(Mp4Track& track) {
 }
 
 Status Mp4Builder::write(const Mp4Sink& sink) {
-  media_.resize(movie.tracks.size());
+  samples_.resize(movie.tracks.size());
   for (size_t track = 0; track < movie.tracks.size(); ++track) {
     Status status = fill_samples(track);
     if (!status.ok()) return status;
   }
   update_durations(movie);
-  for (Mp4Track& track : movie.tracks) fill_config(track);
+  for (size_t i = 0; i < movie.tracks.size(); ++i)
+    if (!samples_[i].elsewhere) fill_config(movie.tracks[i]);
   return write_mp4(
       movie,
       [this](size_t track, size_t sample) -> Result<std::vector<uint8_t>> {
-        return media_[track].samples[sample];
+        const Samples& media = samples_[track];
+        return media.elsewhere ? media.elsewhere(sample) : std::move(samples_[track].bytes[sample]);
       },
       sink);
 }

@@ -5,9 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
+#include "bifs/media.h"
 #include "bifs/mp4_movie.h"
 #include "bifs/mp4_source.h"
 #include "codec/error.h"
@@ -50,11 +51,20 @@ class Mp4Builder {
   void add_sample(size_t track, std::vector<uint8_t> bytes, uint64_t time,
                   bool random_access = true);
 
+  /// Adds a track with its samples, which come from elsewhere and are asked for when the file is
+  /// written. Gives its place.
+  size_t add_media(Media media);
+
+  /// Makes a track begin later by so many of its ticks (an empty edit); the times of its samples
+  /// then count from there. movie.timescale should be such that the ticks are whole in it.
+  void delay_track(size_t track, uint64_t ticks);
+
   /// How long the last sample of a track lasts, in its ticks; 0 where nothing is said.
   void set_last_duration(size_t track, uint32_t ticks);
 
-  /// Works out durations, buffer sizes and bit rates (where a DecoderConfig has 0) and writes.
-  /// Errors  bad_argument: the first sample of a track is not at time 0, times go back or leave a
+  /// Once: the samples are handed over. Works out durations, buffer sizes and bit rates (where a
+  /// DecoderConfig has 0) and writes. Errors  bad_argument: the first sample of a track is not at
+  /// time 0, times go back or leave a
   ///         gap of 2^32 ticks, a sample has 4 GB or more; those of write_mp4
   Status write(const Mp4Sink& sink);
 
@@ -62,12 +72,14 @@ class Mp4Builder {
   Status fill_samples(size_t track);
   void fill_config(Mp4Track& track);
 
-  struct Media {
-    std::vector<std::vector<uint8_t>> samples;
+  /// The samples of a track.
+  struct Samples {
+    std::vector<std::vector<uint8_t>> bytes;
     std::vector<uint64_t> times;
     uint32_t last_duration = 0;
+    std::function<Result<std::vector<uint8_t>>(size_t)> elsewhere;  ///< of Media
   };
-  std::vector<Media> media_;
+  std::vector<Samples> samples_;
 };
 
 }  // namespace afx::bifs

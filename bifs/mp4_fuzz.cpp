@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// Any bytes as an MP4 file, an access unit of object descriptors and a raw scene. What is read is
-// written, reads the same, and is then written to the same bytes.
+// Any bytes as an MP4 file and a raw scene. What is read is written, reads the same, and is then
+// written to the same bytes.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -10,7 +10,6 @@
 
 #include "bifs/mp4_reader.h"
 #include "bifs/mp4_writer.h"
-#include "bifs/od_command.h"
 #include "bifs/raw_bifs.h"
 
 namespace {
@@ -72,19 +71,6 @@ void run_file(std::span<const uint8_t> data) {
   require(first == second);
 }
 
-void run_commands(std::span<const uint8_t> data) {
-  Diagnostics diagnostics;
-  const auto commands = read_od_commands(data, small_limits(), diagnostics);
-  if (!commands.ok()) return check_error(commands.error(), data.size());
-  const auto written = write_od_commands(commands.value());
-  require(written.ok());
-  if (diagnostics.count() == 0) {
-    require(std::equal(written.value().begin(), written.value().end(), data.begin(), data.end()));
-  }
-  const auto again = read_od_commands(written.value(), small_limits(), diagnostics);
-  require(again.ok() && again.value() == commands.value());
-}
-
 void run_raw(std::span<const uint8_t> data) {
   const auto scene = read_raw_bifs(data, small_limits());
   if (!scene.ok()) return check_error(scene.error(), data.size());
@@ -98,7 +84,6 @@ void run_raw(std::span<const uint8_t> data) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::span<const uint8_t> bytes(data, size);
   run_file(bytes);
-  run_commands(bytes);
   run_raw(bytes);
   return 0;
 }

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "bifs/raw_bifs.h"
 
+#include "bifs/mp4_builder.h"
+
 #include <string>
 #include <utility>
 
@@ -123,6 +125,28 @@ Result<std::vector<uint8_t>> write_raw_bifs(const RawBifs& scene) {
     append(unit.bytes);
   }
   return bytes;
+}
+
+Mp4Movie movie_of_raw_bifs(const RawBifs& scene) {
+  constexpr uint64_t kHead = 4 + 1 + 1 + 2 + 4;  // before the first access unit, without config
+  constexpr uint64_t kUnitHead = 8 + 1 + 4;
+  Mp4Movie movie;
+  movie.timescale = scene.timescale;
+  Mp4Track track = make_scene_track(1, scene.object_type, scene.config, 0, 0);
+  track.timescale = scene.timescale;
+  uint64_t offset = kHead + scene.config.size();
+  for (const RawBifsUnit& unit : scene.units) {
+    Mp4Sample sample;
+    sample.offset = offset + kUnitHead;
+    sample.size = static_cast<uint32_t>(unit.bytes.size());
+    sample.time = unit.time;
+    sample.random_access = unit.random_access;
+    track.samples.push_back(sample);
+    offset += kUnitHead + unit.bytes.size();
+  }
+  movie.tracks.push_back(std::move(track));
+  movie.initial_object = make_initial_object(1, 0);
+  return movie;
 }
 
 }  // namespace afx::bifs

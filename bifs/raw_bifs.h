@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "bifs/mp4_movie.h"
 #include "codec/bit_reader.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
@@ -50,6 +51,10 @@ struct RawBifs {
 ///         0 and 1, times that go back; unsupported: another version; limit_exceeded: limits.memory
 Result<RawBifs> read_raw_bifs(std::span<const uint8_t> data, const Limits& limits,
                               const codec::Trace* trace = nullptr);
+
+/// A raw scene as an MP4 file would say it: one track, whose samples lie where write_raw_bifs puts
+/// them, so that what reads MP4 files reads raw scenes too.
+Mp4Movie movie_of_raw_bifs(const RawBifs& scene);
 
 /// Errors  bad_argument: what read_raw_bifs would refuse, or a configuration or access unit whose
 ///         size does not fit

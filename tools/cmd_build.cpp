@@ -163,7 +163,6 @@ Status check_input(const std::string& path, const Limits& limits) {
   if (!file.ok()) return file.error();
   const Kind content = kind_of_content(file.value().bytes());
   const Kind kind = content == Kind::unknown ? kind_of_ending(path) : content;
-  if (kind == Kind::not_yet) return not_in_this_version(path);
   if (kind == Kind::model || kind == Kind::unknown) return {};
   return Error{Errc::unsupported,
                Place::none(),

@@ -13,6 +13,7 @@
 #include "codec/octree_voxels.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/scene_input.h"
 #include "tools/session.h"
 
 namespace afx::tools {
@@ -211,12 +212,14 @@ int report(const Verdict& verdict, const Session& session) {
   return verdict.different ? kDifferent : kDone;
 }
 
+bool is_scene(Kind kind) { return is_text_scene(kind) || is_coded_scene(kind); }
+
 int compare_scene_files(const Input& a, const Input& b, const Session& session,
                         Diagnostics (&diagnostics)[2]) {
-  const auto first = read_scene(a, session.limits, diagnostics[0]);
-  if (!first.ok()) return session.fail(first.error());
-  const auto second = read_scene(b, session.limits, diagnostics[1]);
-  if (!second.ok()) return session.fail(second.error());
+  const auto first = read_plain_scene(a, session.limits, diagnostics[0]);
+  if (!first.ok()) return session.fail(first.error(), a.path);
+  const auto second = read_plain_scene(b, session.limits, diagnostics[1]);
+  if (!second.ok()) return session.fail(second.error(), b.path);
   return report(compare_scenes(first.value(), second.value()), session);
 }
 
@@ -243,7 +246,7 @@ int compare_inputs(const Input& a, const Input& b, const CompareOptions& options
     const auto verdict = compare_two_pictures(a, b, session.limits);
     return verdict.ok() ? report(verdict.value(), session) : session.fail(verdict.error(), a.path);
   }
-  if (a.kind == Kind::scene_text && b.kind == Kind::scene_text && options.node.empty())
+  if (is_scene(a.kind) && is_scene(b.kind) && options.node.empty())
     return compare_scene_files(a, b, session, diagnostics);
   return compare_octree_files(a, b, options, session, diagnostics);
 }

@@ -1,55 +1,22 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "afx/file.h"
-#include "afx/octree_stream.h"
-#include "nodes/scene_writer.h"
 #include "tools/commands.h"
-#include "tools/input.h"
+#include "tools/decode.h"
 #include "tools/name_pattern.h"
-#include "tools/session.h"
 
 namespace afx::tools {
 namespace {
 
-struct DecodeOptions {
-  std::string input;
-  std::string output;
-  std::string format;
-  std::string input_format;
-  std::optional<uint32_t> frame;
-  unsigned levels = 32;
-  bool partial = false;
-};
-
-std::vector<uint8_t> scene_text_of(const OctreeFields& fields, uint32_t resolution,
-                                   uint32_t textures, bool header) {
-  nodes::Scene scene;
-  const auto group = scene.add("Group");
-  const nodes::NodeId octree = add_octree_image(scene, OctreeNode{resolution, textures, fields});
-  (void)scene.append(group.value(), "children", octree);  // an OctreeImage may stand there
-  scene.add_root(group.value());
-  const std::string text = nodes::write_scene_text(scene, {.vrml_header = header});
-  return {text.begin(), text.end()};
-}
-
-/// What a raw octree cannot hold is a warning.
-void warn_of_lost_indices(const OctreeFields& fields, Diagnostics& diagnostics) {
-  if (fields.voxel_image_index.empty()) return;
-  diagnostics.warn("lost_indices", Place::none(),
-                   "a raw octree has no place for image indices: " +
-                       counted(fields.voxel_image_index.size(), "symbol") + " of voxelImageIndex " +
-                       (fields.voxel_image_index.size() == 1 ? "is" : "are") + " left out");
-}
-
 /// What can be asked before the work: are the kinds right, may the output be written?
 int check_names(const DecodeOptions& options, const OutputFiles& outputs, const Session& session,
                 std::string& format) {
-  constexpr const char* kOutputs[] = {"wrl", "bt", "oct"};
-  constexpr const char* kInputs[] = {"afx"};
+  constexpr const char* kOutputs[] = {"wrl", "bt", "xmt", "json", "oct"};
+  constexpr const char* kInputs[] = {"afx", "mp4", "bifs"};
   if (const int code = output_format(session, options.output, options.format, kOutputs, format);
       code != kDone)
     return code;
@@ -61,70 +28,20 @@ int check_names(const DecodeOptions& options, const OutputFiles& outputs, const 
   return free.ok() ? kDone : session.fail(free.error(), first);
 }
 
-int check_frames(const DecodeOptions& options, const DecodedOctreeStream& decoded,
-                 const OutputFiles& outputs, const Session& session) {
-  const NamePattern pattern(options.output);
-  const size_t frames = decoded.stream.frames.size();
-  if (frames > 1 && !pattern.has_number) {
-    return session.usage("the stream has " + std::to_string(frames) + " frames, but " +
-                         options.output +
-                         " is one file (expected a pattern such as frame_%04d.wrl, or --frame K)");
+/// A sentence about an output or option that does not go with this input; empty: there is none.
+std::string useless_option(const DecodeOptions& options, const std::string& format, Kind input) {
+  const std::string found = std::string(", but the input is ") + describe(input);
+  if (input == Kind::octree_stream) {
+    return format == "xmt" || format == "json"
+               ? "." + format + " is for scenes (.mp4, .bifs)" + found
+               : std::string();
   }
-  for (const OctreeFrameInfo& info : decoded.infos) {
-    const std::string name = pattern.name(info.number);
-    if (Status free = outputs.check(name); !free.ok()) return session.fail(free.error(), name);
-  }
-  return kDone;
-}
-
-/// Writes what was decoded; returns an exit code.
-int write_frames(const DecodeOptions& options, const std::string& format,
-                 const DecodedOctreeStream& decoded, OutputFiles& outputs, const Session& session) {
-  if (const int code = check_frames(options, decoded, outputs, session); code != kDone) return code;
-  const NamePattern pattern(options.output);
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::vector<std::string> lines;
-  for (size_t i = 0; i < decoded.stream.frames.size(); ++i) {
-    const OctreeFields& fields = decoded.stream.frames[i];
-    const uint32_t resolution = decoded.infos[i].resolution;
-    const std::string name = pattern.name(decoded.infos[i].number);
-    const std::vector<uint8_t> bytes =
-        format == "oct"
-            ? fields.octree
-            : scene_text_of(fields, resolution, decoded.stream.textures, format != "bt");
-    lines.push_back(name + ": " + counted(bytes.size(), "byte") + ", resolution " +
-                    std::to_string(resolution));
-    list.push_back({{"output", name}, {"bytes", bytes.size()}, {"octreeResolution", resolution}});
-    if (session.options.dry_run) continue;
-    if (Status put = outputs.put(name, bytes); !put.ok()) return session.fail(put.error(), name);
-  }
-  return session.finish(outputs, options.output, lines, {{"outputs", list}});
-}
-
-int decode_stream(const DecodeOptions& options, const std::string& format, const Input& input,
-                  OutputFiles& outputs, const Session& session, Diagnostics& diagnostics) {
-  OctreeDecodeOptions how{
-      .levels = options.levels, .frame = options.frame, .threads = session.options.threads};
-  how.limits = session.limits;
-  const DecodedOctreeStream decoded = decode_octree_stream(input.file.bytes(), how, diagnostics);
-  const bool whole = decoded.status.ok();
-  if (format == "oct" && (whole || options.partial)) {
-    for (const OctreeFields& fields : decoded.stream.frames)
-      warn_of_lost_indices(fields, diagnostics);
-  }
-  if (whole) {
-    const int warned = session.warn(diagnostics, options.input);
-    return warned == kDone ? write_frames(options, format, decoded, outputs, session) : warned;
-  }
-  session.show(diagnostics, options.input);
-  const Error& error = decoded.status.error();
-  const int code =
-      session.fail_query(error, error.code == Errc::bad_argument, options.input);  // --frame
-  const bool strict_failure = session.options.strict && diagnostics.count() > 0;
-  if (code == kUsage || !options.partial || strict_failure || decoded.stream.frames.empty())
-    return code;
-  const int written = write_frames(options, format, decoded, outputs, session);
-  return written == kDone ? code : written;
+  if (format == "oct") return ".oct is for OctreeImage streams (.afx)" + found;
+  if (options.frame || options.levels || options.partial)
+    return "--frame, --levels and --partial are for OctreeImage streams (.afx)" + found;
+  return NamePattern(options.output).has_number
+             ? "a pattern in the name is for OctreeImage streams (.afx)" + found
+             : std::string();
 }
 
 int decode(const DecodeOptions& options, const Session& session) {
@@ -132,31 +49,42 @@ int decode(const DecodeOptions& options, const Session& session) {
   std::string format;
   if (const int code = check_names(options, outputs, session, format); code != kDone) return code;
   Diagnostics diagnostics;
-  const auto input = open_input(options.input, options.input_format, session.limits, diagnostics);
-  if (!input.ok()) return session.fail(input.error(), options.input, diagnostics);
-  if (input.value().kind != Kind::octree_stream) {
-    const Error error{
-        Errc::unsupported, Place::none(),
-        std::string("is ") + describe(input.value().kind) + " (expected an OctreeImage stream)"};
+  const auto opened = open_input(options.input, options.input_format, session.limits, diagnostics);
+  if (!opened.ok()) return session.fail(opened.error(), options.input, diagnostics);
+  const Input& input = opened.value();
+  if (input.kind != Kind::octree_stream && !is_coded_scene(input.kind)) {
+    const Error error{Errc::unsupported, Place::none(),
+                      std::string("is ") + describe(input.kind) +
+                          " (expected an MP4 file, a BIFS or an OctreeImage stream)"};
     return session.fail(error, options.input, diagnostics);
   }
-  return decode_stream(options, format, input.value(), outputs, session, diagnostics);
+  if (const std::string useless = useless_option(options, format, input.kind); !useless.empty())
+    return session.usage(useless);
+  if (input.kind == Kind::octree_stream)
+    return decode_octrees(options, format, input, outputs, session, diagnostics);
+  return decode_presentation(options, format, input, outputs, session, diagnostics);
 }
 
 }  // namespace
 
 void add_decode(CLI::App& program, Session& session) {
   auto options = std::make_shared<DecodeOptions>();
-  CLI::App* command = program.add_subcommand("decode", "AFX stream -> scene text or raw octree");
-  command->add_option("IN", options->input, "The stream (.afx); - = standard input")->required();
+  CLI::App* command =
+      program.add_subcommand("decode", "MP4 file, BIFS or AFX stream -> text, JSON, raw octree");
   command
-      ->add_option("-o,--output", options->output,
-                   "Scene text (.wrl .bt) or raw octree (.oct); frame_%04d.wrl for every frame; - "
-                   "= standard output")
+      ->add_option("IN", options->input,
+                   "MP4 file (.mp4), BIFS (.bifs) or OctreeImage stream (.afx); - = standard input")
+      ->required();
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "Scene text (.wrl .bt), XMT-A (.xmt), decoded values (.json) or raw octree (.oct); "
+          "frame_%04d.wrl for every frame of an .afx; - = standard output")
       ->required();
   command->add_option("--format", options->format,
-                      "Kind of the output where its name does not tell: wrl, bt or oct");
-  command->add_option("--input-format", options->input_format, "Kind of the input: afx");
+                      "Kind of the output where its name does not tell: wrl, bt, xmt, json or oct");
+  command->add_option("--input-format", options->input_format,
+                      "Kind of the input: mp4, bifs or afx");
   command->add_option("--frame", options->frame, "Only this frame, counted from 0");
   command->add_option("--levels", options->levels, "Decode a coarser model of so many levels")
       ->check(CLI::Range(0U, 32U));

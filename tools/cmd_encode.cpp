@@ -2,117 +2,21 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "afx/file.h"
-#include "afx/octree_stream.h"
-#include "codec/octree_encoder.h"
 #include "tools/commands.h"
-#include "tools/input.h"
+#include "tools/encode.h"
+#include "tools/formats.h"
 #include "tools/name_pattern.h"
 #include "tools/session.h"
 
 namespace afx::tools {
 namespace {
 
-struct EncodeOptions {
-  std::vector<std::string> inputs;
-  std::string output;
-  std::string format;
-  std::string input_format;
-  std::string node;
-  std::optional<uint32_t> resolution;
-};
-
-/// What all frames of a stream have in common; the first one decides.
-struct Common {
-  uint32_t resolution = 1;
-  uint32_t images = 0;
-  bool indices = false;
-};
-
-Status check_agreement(const Common& here, const Common& first) {
-  const auto differs = [](const std::string& text) {
-    return Error{Errc::bad_argument, Place::none(),
-                 text + " in the first frame (frames of one stream must agree)"};
-  };
-  if (here.resolution != first.resolution) {
-    return differs("octreeResolution is " + std::to_string(here.resolution) + ", but " +
-                   std::to_string(first.resolution));
-  }
-  if (here.images != first.images) {
-    return differs("the number of images is " + std::to_string(here.images) + ", but " +
-                   std::to_string(first.images));
-  }
-  if (here.indices != first.indices) {
-    return differs(here.indices ? "voxelImageIndex has entries, but none"
-                                : "voxelImageIndex is empty, but not");
-  }
-  return {};
-}
-
-/// Checks one input as a frame and adds it to the stream.
-Status add_frame(OctreeStream& stream, Common& first, OctreeNode octree) {
-  const Common here{octree.resolution, octree.images, !octree.fields.voxel_image_index.empty()};
-  if (stream.frames.empty()) {
-    first = here;
-    stream.resolution = here.resolution;
-    stream.textures = here.indices ? here.images : 0;
-  }
-  if (Status agrees = check_agreement(here, first); !agrees.ok()) return agrees;
-  if (stream.textures > kMaxStreamTextures) {
-    return Error{Errc::bad_argument, Place::none(),
-                 "has " + std::to_string(stream.textures) + " images (a stream holds at most " +
-                     std::to_string(kMaxStreamTextures) + ")"};
-  }
-  if (Status fits = codec::check_octree_fields(octree.fields, octree_levels(here.resolution),
-                                               stream.textures);
-      !fits.ok())
-    return fits;
-  stream.frames.push_back(std::move(octree.fields));
-  return {};
-}
-
-/// Reads one input as the next frame; returns an exit code.
-int read_frame(const EncodeOptions& options, const std::string& path, const Session& session,
-               OctreeStream& stream, Common& first, std::vector<Kind>& kinds) {
-  Diagnostics diagnostics;
-  const auto input = open_input(path, options.input_format, session.limits, diagnostics);
-  if (!input.ok()) return session.fail(input.error(), path, diagnostics);
-  kinds.push_back(input.value().kind);
-  if (input.value().kind == Kind::octree_stream) {
-    const Error error{Errc::unsupported, Place::none(),
-                      "is an OctreeImage stream already (expected scene text or .oct)"};
-    return session.fail(error, path, diagnostics);
-  }
-  OctreeQuery query{.node = options.node, .resolution = options.resolution, .frame = {}};
-  auto octree = read_octree(input.value(), query, session.limits, diagnostics);
-  if (!octree.ok()) {
-    session.show(diagnostics, path);
-    return session.fail_query(octree.error(), query.missing_is_usage, path);
-  }
-  if (Status added = add_frame(stream, first, std::move(octree).value()); !added.ok())
-    return session.fail(added.error(), path, diagnostics);
-  return session.warn(diagnostics, path);
-}
-
-/// Reads all inputs as frames; returns an exit code.
-int read_frames(const EncodeOptions& options, const Session& session, OctreeStream& stream) {
-  Common first;
-  std::vector<Kind> kinds;
-  for (const std::string& path : options.inputs) {
-    const int code = read_frame(options, path, session, stream, first, kinds);
-    if (code != kDone) return code;
-  }
-  const std::string useless =
-      useless_option({.node = options.node, .resolution = options.resolution, .frame = {}}, kinds);
-  return useless.empty() ? kDone : session.usage(useless);
-}
-
-int check_names(const EncodeOptions& options, const OutputFiles& outputs, const Session& session) {
-  constexpr const char* kOutputs[] = {"afx"};
-  constexpr const char* kInputs[] = {"wrl", "bt", "oct"};
-  std::string format;
+int check_names(const EncodeOptions& options, const OutputFiles& outputs, const Session& session,
+                std::string& format) {
+  constexpr const char* kOutputs[] = {"afx", "mp4", "bifs"};
+  constexpr const char* kInputs[] = {"wrl", "bt", "xmt", "oct"};
   if (const int code = output_format(session, options.output, options.format, kOutputs, format);
       code != kDone)
     return code;
@@ -126,52 +30,93 @@ int check_names(const EncodeOptions& options, const OutputFiles& outputs, const 
   return free.ok() ? kDone : session.fail(free.error(), options.output);
 }
 
+/// A sentence about an option that has no effect for this output; empty: there is none.
+std::string useless_option(const EncodeOptions& options, const std::string& format) {
+  if (format == "afx") {
+    const bool scene = !options.afx.empty() || !options.pictures.empty() || options.names ||
+                       options.quantize || options.predictive || options.choices != "own";
+    return scene ? "--afx, --pictures, --choices, --names, --predictive and --quantize are for "
+                   "scenes (.mp4, .bifs), but the output is an OctreeImage stream"
+                 : "";
+  }
+  if (!options.node.empty() || options.resolution)
+    return "--node and --resolution are for OctreeImage streams (.afx), but the output is a scene";
+  return options.inputs.size() > 1 ? "a scene is encoded from one SCENE (several are the frames of "
+                                     "an .afx)"
+                                   : "";
+}
+
 int encode(const EncodeOptions& options, const Session& session) {
   OutputFiles outputs(session.options.overwrite);
-  if (const int code = check_names(options, outputs, session); code != kDone) return code;
-  OctreeStream stream;
-  if (const int code = read_frames(options, session, stream); code != kDone) return code;
-  const auto encoded = encode_octree_stream(stream, session.options.threads);
-  if (!encoded.ok()) return session.fail(encoded.error(), options.output);
-  if (!session.options.dry_run) {
-    if (Status put = outputs.put(options.output, encoded.value()); !put.ok())
-      return session.fail(put.error(), options.output);
-  }
-  uint64_t fields = 0;
-  for (const OctreeFields& frame : stream.frames)
-    fields += frame.octree.size() + frame.voxel_image_index.size();
-  const uint64_t bytes = encoded.value().size();
-  return session.finish(
-      outputs, options.output,
-      {options.output + ": " + counted(bytes, "byte") + " from " + counted(fields, "byte") +
-       " of fields, " + counted(stream.frames.size(), "frame")},
-      {{"output", options.output},
-       {"bytes", bytes},
-       {"fieldBytes", fields},
-       {"frames", stream.frames.size()},
-       {"octreeResolution", stream.resolution},
-       {"numOfTextures", stream.textures}});
+  std::string format;
+  if (const int code = check_names(options, outputs, session, format); code != kDone) return code;
+  if (const std::string useless = useless_option(options, format); !useless.empty())
+    return session.usage(useless);
+  if (format == "afx") return encode_octrees(options, outputs, session);
+  return encode_presentation(options, format, outputs, session);
+}
+
+void add_scene_options(CLI::App& command, EncodeOptions& options) {
+  const std::string group = "Scenes (.mp4, .bifs)";
+  command
+      .add_option("--afx", options.afx,
+                  "Octree fields: an AFX stream, a buffer in the scene, or none: plain BIFS fields "
+                  "(default: stream; none where the text has commands or object descriptors)")
+      ->check(CLI::IsMember({"stream", "buffer", "none"}))
+      ->group(group);
+  command
+      .add_option(
+          "--pictures", options.pictures,
+          "Pictures that the scene names: streams, or none: left as names (default as --afx)")
+      ->check(CLI::IsMember({"stream", "none"}))
+      ->group(group);
+  command
+      .add_option("--choices", options.choices,
+                  "Where the standard leaves a choice: own, or gpac: bit for bit as MP4Box encodes")
+      ->check(CLI::IsMember({"own", "gpac"}))
+      ->group(group);
+  command.add_flag("--names", options.names, "Code the DEF names too (USENAMES)")->group(group);
+  command
+      .add_flag("--predictive", options.predictive,
+                "Code quantized lists predictively where that is shorter (few players read it)")
+      ->group(group);
+  command
+      .add_flag("--quantize", options.quantize,
+                "Quantize numbers; says the largest error for each field")
+      ->group(group);
+  command
+      .add_option("--bits", options.quantize_bits,
+                  "With --quantize: CATEGORY=BITS, e.g. position3D=12,color=8; 0 = not quantized")
+      ->delimiter(',')
+      ->group(group);
 }
 
 }  // namespace
 
 void add_encode(CLI::App& program, Session& session) {
   auto options = std::make_shared<EncodeOptions>();
-  CLI::App* command = program.add_subcommand("encode", "Scene text or raw octrees -> AFX stream");
+  CLI::App* command =
+      program.add_subcommand("encode", "Scene text -> MP4 file, BIFS or AFX stream");
   command
-      ->add_option("SCENE", options->inputs,
-                   "Scene text (.wrl .bt) or raw octree (.oct); several are the frames, in order")
+      ->add_option(
+          "SCENE", options->inputs,
+          "Scene text (.wrl .bt .xmt) or raw octree (.oct); several are the frames of an .afx, in "
+          "order")
       ->required();
-  command->add_option("-o,--output", options->output, "The stream (.afx); - = standard output")
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "MP4 file (.mp4), BIFS (.bifs) or OctreeImage stream (.afx); - = standard output")
       ->required();
   command->add_option("--format", options->format,
-                      "Kind of the output where its name does not tell: afx");
+                      "Kind of the output where its name does not tell: mp4, bifs or afx");
   command->add_option("--input-format", options->input_format,
-                      "Kind of the inputs: wrl, bt or oct");
+                      "Kind of the inputs: wrl, bt, xmt or oct");
   command->add_option("--node", options->node,
                       "DEF name of the OctreeImage, where a scene has several");
   command->add_option("--resolution", options->resolution, "octreeResolution of a raw octree")
       ->check(CLI::Range(1U, 2147483647U));
+  add_scene_options(*command, *options);
   add_common_options(*command, session, {.outputs = true});
   command->callback([options, &session] {
     session.command = "encode";

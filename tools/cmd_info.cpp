@@ -10,6 +10,7 @@
 #include "afx/picture_io.h"
 #include "codec/octree_voxels.h"
 #include "tools/commands.h"
+#include "tools/info.h"
 #include "tools/input.h"
 #include "tools/session.h"
 
@@ -47,10 +48,10 @@ std::string in_words(const std::string& name) {
 void print(const Json& object, const std::string& indent = {}) {
   for (const auto& [name, value] : object.items()) {
     const std::string label = indent + in_words(name);
-    if (name == "nodeTypes") {  // the names in it are the scene's own
+    if (value.is_object()) {  // of node types: the names in it are the scene's own
       std::cout << label << ":\n";
-      for (const auto& [type, count] : value.items())
-        std::cout << indent << "  " << printable(type) << ": " << printed(count) << '\n';
+      for (const auto& [type, what] : value.items())
+        std::cout << indent << "  " << printable(type) << ": " << printed(what) << '\n';
     } else if (value.is_array() && !value.empty() && value.front().is_object()) {
       size_t number = 0;
       for (const Json& element : value) {
@@ -122,53 +123,6 @@ int info_of_raw(const Input& input, const InfoOptions& options, const Session& s
   return kDone;
 }
 
-/// Describes an OctreeImage into `out`, as far as it can be read.
-Status describe_octree_image(const nodes::NodeView& view, const Input& input,
-                             const Session& session, Diagnostics& diagnostics, Json& out) {
-  out["node"] = view.label();
-  const auto octree = read_octree_node(view, input.folder(), session.limits, diagnostics);
-  if (!octree.ok()) return octree.error();
-  const OctreeNode& node = octree.value();
-  const unsigned levels = octree_levels(node.resolution);
-  out["resolution"] = node.resolution;
-  out["levels"] = levels;
-  out["images"] = node.images;
-  out["octreeBytes"] = node.fields.octree.size();
-  out["voxelImageIndexSymbols"] = node.fields.voxel_image_index.size();
-  const auto images = codec::octree_voxel_images(node.fields, levels, levels, session.limits);
-  if (!images.ok()) {
-    Error error = images.error();
-    error.text = view.label() + ": " + error.text;
-    return error;
-  }
-  out["voxels"] = images.value().size();
-  return {};
-}
-
-int info_of_scene(const Input& input, const Session& session, Diagnostics& diagnostics, Json& out) {
-  const auto scene = read_scene(input, session.limits, diagnostics);
-  if (!scene.ok()) return session.fail(scene.error());
-  std::map<std::string, uint64_t> types;
-  for (uint32_t i = 0; i < scene.value().node_count(); ++i)
-    ++types[scene.value().type_name(nodes::NodeId(i))];
-  out["nodes"] = scene.value().node_count();
-  out["routes"] = scene.value().scope().routes.size();
-  out["protos"] = scene.value().proto_count();
-  out["nodeTypes"] = types;
-  Json octrees = Json::array();
-  int code = kDone;
-  for (const nodes::NodeView& view : find_octree_images(scene.value())) {
-    Json& octree = octrees.emplace_back(Json::object());
-    const Status described = describe_octree_image(view, input, session, diagnostics, octree);
-    if (described.ok()) continue;
-    octree["problem"] = described.error().text;
-    const int failed = session.fail(described.error(), input.path);
-    if (code == kDone) code = failed;
-  }
-  if (!octrees.empty()) out["octreeImage"] = octrees;
-  return code;
-}
-
 int info_of_picture(const Input& input, const Session& session, Json& out) {
   const auto picture = decode_picture(input.file.bytes(), input.path, session.limits);
   if (!picture.ok()) return session.fail(picture.error(), input.path);
@@ -180,7 +134,7 @@ int info_of_picture(const Input& input, const Session& session, Json& out) {
 }
 
 int info(const InfoOptions& options, const Session& session) {
-  constexpr const char* kInputs[] = {"afx", "oct", "wrl", "bt", "png"};
+  constexpr const char* kInputs[] = {"afx", "oct", "wrl", "bt", "xmt", "mp4", "bifs", "png"};
   if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
     return code;
   Diagnostics diagnostics;
@@ -201,17 +155,22 @@ int info(const InfoOptions& options, const Session& session) {
       code = info_of_raw(input, options, session, diagnostics, out);
       break;
     case Kind::scene_text:
-      code = info_of_scene(input, session, diagnostics, out);
+    case Kind::scene_xml:
+      code = info_of_text_scene(input, session, diagnostics, out);
+      break;
+    case Kind::mp4:
+    case Kind::raw_bifs:
+      code = info_of_coded_scene(input, session, diagnostics, out);
       break;
     case Kind::picture:
       code = info_of_picture(input, session, out);
       break;
     case Kind::model:
-    case Kind::not_yet:
+    case Kind::json:
     case Kind::unknown:
       return session.fail({Errc::unsupported, Place::none(),
                            std::string("is ") + describe(input.kind) +
-                               " (expected .afx, .oct, scene text or a picture)"},
+                               " (expected a scene, .afx, .oct or a picture)"},
                           input.path);
   }
   if (code != kUsage) {

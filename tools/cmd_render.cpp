@@ -16,6 +16,7 @@
 #include "render/renderer.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/scene_input.h"
 #include "tools/session.h"
 
 namespace afx::tools {
@@ -68,14 +69,14 @@ Result<const ColouredVoxels*> colour(const OctreeModel& model, const RenderComma
 
 /// Draws an OctreeImage of a scene; one that stands in several places is coloured once. (Not so in
 /// a PROTO: there its fields may be other ones in each instance.)
-Status draw_node(const nodes::DibrObject& object, const Input& input, const RenderCommand& command,
+Status draw_node(const nodes::DibrObject& object, const UrlBase& base, const RenderCommand& command,
                  const Session& session, Diagnostics& diagnostics, Drawn& drawn) {
   const nodes::NodeView& view = object.nodes.front();
   if (const auto known = drawn.of_node.find(view.id().value); known != drawn.of_node.end()) {
     drawn.place(*known->second, object.to_world);
     return {};
   }
-  const auto model = read_octree_model(view, input.folder(), drawn.left, diagnostics);
+  const auto model = read_octree_model(view, base, drawn.left, diagnostics);
   if (!model.ok()) return model.error();
   const auto voxels = colour(model.value(), command, session, diagnostics, drawn);
   if (!voxels.ok()) return voxels.error();
@@ -107,20 +108,20 @@ Status draw_scene(const Input& input, const RenderCommand& command, const Sessio
                   Diagnostics& diagnostics, Drawn& drawn) {
   const auto scene = read_scene(input, session.limits, diagnostics);
   if (!scene.ok()) return scene.error();
-  const auto objects = nodes::find_dibr_objects(scene.value());
+  const auto objects = nodes::find_dibr_objects(scene.value().scene);
   if (!objects.ok()) return objects.error();
   size_t depth_images = 0;
   Status status;
   for (const nodes::DibrObject& object : objects.value()) {
     if (!status.ok()) break;
     if (object.kind == nodes::DibrObject::Kind::octree_image) {
-      status = draw_node(object, input, command, session, diagnostics, drawn);
+      status = draw_node(object, scene.value().base(), command, session, diagnostics, drawn);
     } else {
       depth_images += object.nodes.size();
     }
   }
   if (!status.ok()) return status;
-  warn_of_undrawn(scene.value(), depth_images, diagnostics);
+  warn_of_undrawn(scene.value().scene, depth_images, diagnostics);
   if (drawn.voxels.empty()) {
     return Error{Errc::malformed, Place::none(),
                  "the scene shows nothing to draw (expected an OctreeImage)"};
@@ -243,7 +244,7 @@ int read_input(const RenderCommand& command, const Session& session, Drawn& draw
   drawn.left = session.limits;
   bool missing_is_usage = false;
   const Status read =
-      input.value().kind == Kind::scene_text
+      is_text_scene(input.value().kind) || is_coded_scene(input.value().kind)
           ? draw_scene(input.value(), command, session, diagnostics, drawn)
           : draw_octree(input.value(), command, session, diagnostics, drawn, missing_is_usage);
   if (read.ok()) return session.warn(diagnostics, command.input);

@@ -9,6 +9,7 @@
 #include "afx/octree_stream.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/scene_input.h"
 #include "tools/session.h"
 
 namespace afx::tools {
@@ -17,6 +18,7 @@ namespace {
 struct TraceOptions {
   std::string input;
   std::string input_format;
+  bool container = false;
 };
 
 void print_text(const codec::TraceElement& element) {
@@ -28,18 +30,36 @@ void print_text(const codec::TraceElement& element) {
   std::cout << line << '\n';
 }
 
+/// The decoder configuration of a scene and its access units; offsets count from the beginning of
+/// each. With --container the boxes of the file and its descriptors come first.
+int trace_scene(const TraceOptions& options, const Input& input, const Session& session,
+                const codec::Trace& print, Diagnostics& diagnostics) {
+  const auto coded =
+      open_coded_scene(input, session.limits, diagnostics, options.container ? &print : nullptr);
+  if (!coded.ok()) return session.fail(coded.error(), input.path, diagnostics);
+  bifs::PresentationDecodeOptions how;
+  how.limits = session.limits;
+  how.trace = &print;
+  const auto scene = bifs::decode_presentation(coded.value().source, coded.value().movie, how,
+                                               nullptr, diagnostics);
+  std::cout.flush();
+  const int warned = session.warn(diagnostics, input.path);
+  return scene.ok() ? warned : session.fail(scene.error(), input.path);
+}
+
 int trace(const TraceOptions& options, const Session& session) {
-  constexpr const char* kInputs[] = {"afx"};
+  constexpr const char* kInputs[] = {"afx", "mp4", "bifs"};
   if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
     return code;
   Diagnostics diagnostics;
   const auto input = open_input(options.input, options.input_format, session.limits, diagnostics);
   if (!input.ok()) return session.fail(input.error());
-  if (input.value().kind != Kind::octree_stream) {
-    return session.fail(
-        {Errc::unsupported, Place::none(),
-         std::string("is ") + describe(input.value().kind) + " (expected an OctreeImage stream)"},
-        options.input);
+  const Kind kind = input.value().kind;
+  if (kind != Kind::octree_stream && !is_coded_scene(kind)) {
+    return session.fail({Errc::unsupported, Place::none(),
+                         std::string("is ") + describe(kind) +
+                             " (expected an MP4 file, a BIFS or an OctreeImage stream)"},
+                        options.input);
   }
   const bool json = session.options.json;
   if (!json)
@@ -53,6 +73,7 @@ int trace(const TraceOptions& options, const Session& session) {
                                       {"value", element.value}};
     std::cout << line.dump() << '\n';
   };
+  if (is_coded_scene(kind)) return trace_scene(options, input.value(), session, print, diagnostics);
   OctreeDecodeOptions how{.threads = session.options.threads};
   how.limits = session.limits;
   how.trace = &print;
@@ -67,10 +88,16 @@ int trace(const TraceOptions& options, const Session& session) {
 
 void add_trace(CLI::App& program, Session& session) {
   auto options = std::make_shared<TraceOptions>();
-  CLI::App* command = program.add_subcommand(
-      "trace", "Every header element of a stream, and the bits of each level");
-  command->add_option("IN", options->input, "The stream (.afx); - = standard input")->required();
-  command->add_option("--input-format", options->input_format, "Kind of the input: afx");
+  CLI::App* command =
+      program.add_subcommand("trace", "Every element of a stream: bit offset, width, name, value");
+  command
+      ->add_option("IN", options->input,
+                   "MP4 file (.mp4), BIFS (.bifs) or OctreeImage stream (.afx); - = standard input")
+      ->required();
+  command->add_option("--input-format", options->input_format,
+                      "Kind of the input: mp4, bifs or afx");
+  command->add_flag("--container", options->container,
+                    "The boxes and descriptors of the file, too");
   add_common_options(*command, session, {});
   command->callback([options, &session] {
     session.command = "trace";

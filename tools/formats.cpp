@@ -21,11 +21,9 @@ constexpr Ending kEndings[] = {
     {"oct", Kind::raw_octree}, {"obj", Kind::model},     {"ply", Kind::model},
     {"gltf", Kind::model},     {"glb", Kind::model},     {"dae", Kind::model},
     {"stl", Kind::model},      {"fbx", Kind::model},     {"3ds", Kind::model},
-    {"x3d", Kind::model},      {"off", Kind::model},     {"mp4", Kind::not_yet},
-    {"bifs", Kind::not_yet},   {"xmt", Kind::not_yet},   {"json", Kind::not_yet},
+    {"x3d", Kind::model},      {"off", Kind::model},     {"mp4", Kind::mp4},
+    {"bifs", Kind::raw_bifs},  {"xmt", Kind::scene_xml}, {"json", Kind::json},
 };
-
-constexpr const char* kLater = " (MP4, BIFS, XMT and JSON are for a later one)";
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](char c) {
@@ -48,12 +46,6 @@ std::string listed(std::span<const char* const> names, const std::string& mark) 
 bool same_format(const std::string& a, const std::string& b) {
   const std::string picture = picture_format_of("x." + a);
   return a == b || (!picture.empty() && picture == picture_format_of("x." + b));
-}
-
-int fail_later(const Session& session, const char* option, const std::string& value) {
-  return session.fail(
-      {Errc::not_available, Place::none(),
-       std::string(option) + " " + value + " is " + describe(Kind::not_yet) + kLater});
 }
 
 }  // namespace
@@ -86,21 +78,22 @@ const char* describe(Kind kind) {
       return "a picture";
     case Kind::model:
       return "a mesh or point cloud";
-    case Kind::not_yet:
-      return "of a kind that this version does not know yet";
+    case Kind::scene_xml:
+      return "an XMT scene";
+    case Kind::mp4:
+      return "an MP4 file";
+    case Kind::raw_bifs:
+      return "a raw BIFS stream";
+    case Kind::json:
+      return "a decoded stream in JSON";
     case Kind::unknown:
       break;
   }
   return "of an unknown kind";
 }
 
-Error not_in_this_version(const std::string& path) {
-  return {Errc::not_available,
-          Place::none(),
-          std::string("is ") + describe(Kind::not_yet) + kLater,
-          {},
-          path};
-}
+bool is_text_scene(Kind kind) { return kind == Kind::scene_text || kind == Kind::scene_xml; }
+bool is_coded_scene(Kind kind) { return kind == Kind::mp4 || kind == Kind::raw_bifs; }
 
 int output_format(const Session& session, const std::string& path, const std::string& option,
                   std::span<const char* const> names, std::string& format) {
@@ -117,9 +110,7 @@ int output_format(const Session& session, const std::string& path, const std::st
       return session.usage("--format " + option + " disagrees with the name " + path +
                            " (--format is for - and for names without a known ending)");
     }
-    if (!told && kind == Kind::not_yet) return fail_later(session, "--format", option);
   }
-  if (kind_of_format(format) == Kind::not_yet) return session.fail(not_in_this_version(path));
   const auto found = std::find_if(names.begin(), names.end(),
                                   [&](const char* name) { return same_format(format, name); });
   if (found != names.end()) {
@@ -135,7 +126,6 @@ int check_input_format(const Session& session, const std::string& option,
                        std::span<const char* const> names) {
   if (option.empty()) return kDone;
   const Kind kind = kind_of_format(option);
-  if (kind == Kind::not_yet) return fail_later(session, "--input-format", option);
   const bool known = std::any_of(names.begin(), names.end(), [kind](const char* name) {
     return kind != Kind::unknown && kind_of_format(name) == kind;
   });

@@ -15,11 +15,14 @@ class Session;
 
 enum class Kind {
   scene_text,     ///< .wrl .bt
+  scene_xml,      ///< .xmt
+  mp4,            ///< .mp4
+  raw_bifs,       ///< .bifs
+  json,           ///< .json: decoded BIFS
   octree_stream,  ///< .afx
   raw_octree,     ///< .oct
   picture,        ///< .png .jpg ...
   model,          ///< meshes and point clouds, by their ending
-  not_yet,        ///< .mp4 .bifs .xmt .json: promised, but not in this version
   unknown
 };
 
@@ -31,9 +34,10 @@ std::string ending_of(const std::string& path);
 Kind kind_of_ending(const std::string& path);
 const char* describe(Kind kind);
 
-/// The error for a file of a kind that this version cannot read or write yet; its exit code is
-/// kFailed.
-Error not_in_this_version(const std::string& path);
+/// Whether it is a scene as text: scene_text, scene_xml.
+bool is_text_scene(Kind kind);
+/// Whether it is a scene as a stream: mp4, raw_bifs.
+bool is_coded_scene(Kind kind);
 
 /// Tells what an output is to be: its name's ending, or --format (`option`) where the name is "-"
 /// or has no ending that is known. Anything else, and a --format that the ending denies, is
@@ -41,7 +45,7 @@ Error not_in_this_version(const std::string& path);
 ///
 /// names    the formats that the command writes, e.g. "wrl", "bt"
 /// format   receives the one of `names` that it is
-/// Returns  an exit code: kDone, kUsage, or kFailed for a kind of a later version
+/// Returns  an exit code: kDone or kUsage
 int output_format(const Session& session, const std::string& path, const std::string& option,
                   std::span<const char* const> names, std::string& format);
 

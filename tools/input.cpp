@@ -8,14 +8,32 @@
 #include "afx/octree_stream.h"
 #include "afx/picture_io.h"
 #include "codec/octree_voxels.h"
-#include "nodes/scene_reader.h"
+#include "tools/scene_input.h"
 
 namespace afx::tools {
 namespace {
 
-bool looks_like_vrml(std::span<const uint8_t> bytes) {
-  constexpr std::string_view header = "#VRML";
-  return bytes.size() >= header.size() && std::equal(header.begin(), header.end(), bytes.begin());
+bool begins_with(std::span<const uint8_t> bytes, std::string_view text) {
+  return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
+}
+
+/// The first box says: its type stands behind its size.
+bool looks_like_mp4(std::span<const uint8_t> bytes) {
+  constexpr std::string_view kFirstBoxes[] = {"ftyp", "moov", "mdat", "free", "wide", "skip"};
+  return bytes.size() >= 8 &&
+         std::any_of(std::begin(kFirstBoxes), std::end(kFirstBoxes),
+                     [&](std::string_view type) { return begins_with(bytes.subspan(4), type); });
+}
+
+/// XMT-A among the first elements; other XML is not ours.
+bool looks_like_xmt(std::span<const uint8_t> bytes) {
+  constexpr size_t kLookedAt = 4096;
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
+                              std::min(bytes.size(), kLookedAt));
+  const size_t first = head.find('<');
+  return first != std::string_view::npos &&
+         head.substr(0, first).find_first_not_of("\xEF\xBB\xBF \t\r\n") == std::string_view::npos &&
+         head.find("<XMT-A") != std::string_view::npos;
 }
 
 Error with_file(Error error, const std::string& path) {
@@ -62,7 +80,10 @@ Result<OctreeNode> read_raw(const Input& input, OctreeQuery& query, const Limits
 
 Kind kind_of_content(std::span<const uint8_t> bytes) {
   if (looks_like_octree_stream(bytes)) return Kind::octree_stream;
-  if (looks_like_vrml(bytes)) return Kind::scene_text;
+  if (begins_with(bytes, "#VRML")) return Kind::scene_text;
+  if (begins_with(bytes, "BIFS")) return Kind::raw_bifs;
+  if (looks_like_mp4(bytes)) return Kind::mp4;
+  if (looks_like_xmt(bytes)) return Kind::scene_xml;
   if (!picture_format_of_content(bytes).empty()) return Kind::picture;
   return Kind::unknown;
 }
@@ -88,12 +109,11 @@ Result<Input> open_input(const std::string& path, const std::string& input_forma
     diagnostics.warn("wrong_ending", Place::none(),
                      std::string("is ") + describe(content) + ", whatever its ending says");
   }
-  if (input.kind == Kind::not_yet) return not_in_this_version(path);
   if (input.kind == Kind::unknown) {
     return Error{Errc::malformed,
                  Place::none(),
-                 "neither content nor ending tells what this is (expected .wrl, .bt, .afx, .oct, a "
-                 "picture, or --input-format)",
+                 "neither content nor ending tells what this is (expected .wrl, .bt, .xmt, .mp4, "
+                 ".bifs, .afx, .oct, a picture, or --input-format)",
                  {},
                  path};
   }
@@ -109,19 +129,13 @@ std::string useless_option(const OctreeQuery& query, std::span<const Kind> input
                             describe(inputs.empty() ? Kind::unknown : inputs.front());
   if (query.resolution && none(Kind::raw_octree))
     return "--resolution is for raw octrees (.oct)" + found;
-  if (!query.node.empty() && none(Kind::scene_text)) return "--node is for scene text" + found;
+  const bool scene = std::any_of(inputs.begin(), inputs.end(), [](Kind kind) {
+    return is_text_scene(kind) || is_coded_scene(kind);
+  });
+  if (!query.node.empty() && !scene) return "--node is for scenes" + found;
   if (query.frame && none(Kind::octree_stream))
     return "--frame is for OctreeImage streams (.afx)" + found;
   return {};
-}
-
-Result<nodes::Scene> read_scene(const Input& input, const Limits& limits,
-                                Diagnostics& diagnostics) {
-  const std::span<const uint8_t> bytes = input.file.bytes();
-  auto scene = nodes::read_scene_text({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                      limits, diagnostics);
-  if (!scene.ok()) return with_file(std::move(scene).error(), input.path);
-  return scene;
 }
 
 Result<nodes::NodeView> pick_octree_image(const nodes::Scene& scene, OctreeQuery& query) {
@@ -150,16 +164,15 @@ Result<OctreeNode> read_octree(const Input& input, OctreeQuery& query, const Lim
   const auto read = [&]() -> Result<OctreeNode> {
     if (input.kind == Kind::octree_stream) return read_stream(input, query, limits, diagnostics);
     if (input.kind == Kind::raw_octree) return read_raw(input, query, limits);
-    if (input.kind != Kind::scene_text) {
-      return Error{
-          Errc::unsupported, Place::none(),
-          std::string("is ") + describe(input.kind) + " (expected scene text, .afx or .oct)"};
+    if (!is_text_scene(input.kind) && !is_coded_scene(input.kind)) {
+      return Error{Errc::unsupported, Place::none(),
+                   std::string("is ") + describe(input.kind) + " (expected a scene, .afx or .oct)"};
     }
     const auto scene = read_scene(input, limits, diagnostics);
     if (!scene.ok()) return scene.error();
-    const auto view = pick_octree_image(scene.value(), query);
+    const auto view = pick_octree_image(scene.value().scene, query);
     if (!view.ok()) return view.error();
-    return read_octree_node(view.value(), input.folder(), limits, diagnostics);
+    return read_octree_node(view.value(), scene.value().base(), limits, diagnostics);
   };
   auto octree = read();
   if (!octree.ok()) return with_file(std::move(octree).error(), input.path);

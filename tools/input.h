@@ -34,9 +34,6 @@ struct Input {
 Result<Input> open_input(const std::string& path, const std::string& input_format,
                          const Limits& limits, Diagnostics& diagnostics);
 
-/// Reads the scene text of an input. Errors as read_scene_text.
-Result<nodes::Scene> read_scene(const Input& input, const Limits& limits, Diagnostics& diagnostics);
-
 /// What an input of octrees is asked for.
 struct OctreeQuery {
   std::string node;                    ///< DEF name of the OctreeImage; empty: the only one
@@ -55,8 +52,8 @@ Kind kind_of_content(std::span<const uint8_t> bytes);
 /// Errors  malformed: none or several (the text lists them); bad_argument: no node of that name
 Result<nodes::NodeView> pick_octree_image(const nodes::Scene& scene, OctreeQuery& query);
 
-/// Reads the coded fields of one OctreeImage from a scene, raw octree or stream (several frames:
-/// query.frame).
+/// Reads the coded fields of one OctreeImage from a scene of any kind, raw octree or stream
+/// (several frames: query.frame).
 Result<OctreeNode> read_octree(const Input& input, OctreeQuery& query, const Limits& limits,
                                Diagnostics& diagnostics);
 

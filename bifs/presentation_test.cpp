@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Text to streams and back, against the streams that GPAC's MP4Box made of the same texts.
+#include "bifs/bt_reader.h"
+#include "bifs/bt_writer.h"
+#include "bifs/decoded_json.h"
+#include "bifs/encoding_setup.h"
+#include "bifs/mp4_presentation_reader.h"
+#include "bifs/mp4_presentation_writer.h"
+#include "bifs/mp4_reader.h"
+#include "bifs/mp4_writer.h"
+#include "bifs/raw_bifs_writer.h"
+#include "bifs/vectors_test_support.h"
+
+namespace afx::bifs {
+
+namespace {
+
+/// Vectors whose bits are not those of their text (conformance/bifs/README.md).
+constexpr const char* kNotTheSame[] = {
+    "18-quant-efficient-float",    // a denormal whose 14 bits are 0 is coded as if it were not 0
+    "19-quant-normals-rotations",  // the peer codes the wrong angle
+    "21-proto-basic",              // integer bounds are coded as bit patterns of floats
+    "33-peer-proto-id-clash"};     // cannot be decoded
+
+std::string text_of(const std::filesystem::path& path) {
+  const Bytes bytes = file_bytes(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::filesystem::path folder_of(const std::string& name) {
+  return std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs" / name;
+}
+
+nodes::SceneReadOptions with_files(const std::string& name) {
+  nodes::SceneReadOptions options;
+  options.load_file = [name](std::string_view file) -> Result<std::string> {
+    return text_of(folder_of(name) / std::string(file));
+  };
+  return options;
+}
+
+Presentation read_scene_bt(const std::string& name, const EncodingChoices& choices) {
+  Diagnostics diagnostics;
+  auto read = read_bt(text_of(folder_of(name) / "scene.bt"), {}, diagnostics, with_files(name));
+  EXPECT_TRUE(read.ok()) << to_string(read.error());
+  if (!read.ok()) return {};
+  const Status ready = set_up_encoding(read.value(), choices, diagnostics);
+  EXPECT_TRUE(ready.ok()) << to_string(ready.error());
+  return std::move(read).value();
+}
+
+/// Commands as JSON, access unit by access unit.
+class JsonSink final : public PresentationSink {
+ public:
+  std::vector<std::string> units;
+  Status begin(const InitialObjectDescriptor&) override { return {}; }
+  Status begin_frame(uint64_t time, bool) override {
+    units.push_back(std::to_string(time) + ":");
+    return {};
+  }
+  Status add(const Command& command, const nodes::Scene& before) override {
+    units.back() += "\n" + writer_.write(command, before);
+    return {};
+  }
+  Status end_frame() override { return {}; }
+  Status object_descriptors(uint64_t, bool, const OdCommands&) override { return {}; }
+  Status end() override { return {}; }
+
+ private:
+  CommandJsonWriter writer_;
+};
+
+/// Streams that a text takes from an MP4 file: from those bytes, whatever it is called.
+LoadMedia media_of(const Bytes& file) {
+  return [&file](const MediaSource& source) -> Result<Media> {
+    Diagnostics diagnostics;
+    const auto movie =
+        std::make_shared<Mp4Movie>(read_mp4(mp4_source(file), {}, diagnostics).value());
+    const auto id =
+        static_cast<uint32_t>(std::stoul(source.file.substr(source.file.find('#') + 1)));
+    const Mp4Track* const track = find_track(*movie, id);
+    if (track == nullptr) return Error{Errc::io, Place::none(), "no such track"};
+    return Media{*track, [&file, movie, track](size_t sample) {
+                   return read_sample(mp4_source(file), *track, sample, {});
+                 }};
+  };
+}
+
+Bytes to_mp4(Presentation& presentation, const EncodingChoices& choices, const LoadMedia& media) {
+  Bytes out;
+  const Mp4Sink keep = [&out](std::span<const uint8_t> part) -> Status {
+    out.insert(out.end(), part.begin(), part.end());
+    return {};
+  };
+  Mp4PresentationWriter writer(keep, {encode_options(choices), media});
+  Diagnostics diagnostics;
+  const Status done = play(presentation, writer, diagnostics);
+  EXPECT_TRUE(done.ok()) << to_string(done.error());
+  return out;
+}
+
+Mp4Movie movie_of(const Bytes& file) {
+  Diagnostics diagnostics;
+  auto movie = read_mp4(mp4_source(file), {}, diagnostics);
+  EXPECT_TRUE(movie.ok()) << to_string(movie.error());
+  return movie.ok() ? std::move(movie).value() : Mp4Movie{};
+}
+
+template <class Sink>
+nodes::Scene decode_to(const Bytes& file, Sink& sink) {
+  Diagnostics diagnostics;
+  PresentationDecodeOptions options;
+  options.file_name = "x.mp4";
+  auto scene = decode_presentation(mp4_source(file), movie_of(file), options, &sink, diagnostics);
+  EXPECT_TRUE(scene.ok()) << to_string(scene.error());
+  return scene.ok() ? std::move(scene).value() : nodes::Scene();
+}
+
+std::string to_bt(const Bytes& file) {
+  std::string text;
+  BtWriter writer([&text](std::string_view piece) -> Status {
+    text += piece;
+    return {};
+  });
+  decode_to(file, writer);
+  return text;
+}
+
+std::vector<std::string> to_json(const Bytes& file) {
+  JsonSink sink;
+  decode_to(file, sink);
+  return sink.units;
+}
+
+/// All samples of all tracks, by track ID.
+std::map<uint32_t, std::vector<Bytes>> streams_of(const Bytes& file) {
+  std::map<uint32_t, std::vector<Bytes>> streams;
+  const Mp4Movie movie = movie_of(file);
+  for (const Mp4Track& track : movie.tracks)
+    for (size_t i = 0; i < track.samples.size(); ++i)
+      streams[track.id].push_back(read_sample(mp4_source(file), track, i, {}).value());
+  return streams;
+}
+
+}  // namespace
+
+class BtVectors : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, BtVectors, testing::ValuesIn(vector_names()), [](const auto& param) {
+  std::string name = param.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return "n" + name;
+});
+
+TEST_P(BtVectors, TheTextGivesTheConfigurationAndTheBitsOfGpac) {
+  for (const char* name : kNotTheSame)
+    if (GetParam() == name) GTEST_SKIP() << "the peer's bits are not those of its text";
+  const EncodingChoices choices{.like_gpac = true, .use_names = GetParam() == "30-names"};
+  Presentation presentation = read_scene_bt(GetParam(), choices);
+  Diagnostics diagnostics;
+  RawBifsWriter writer(encode_options(choices), diagnostics);
+  const Status done = play(presentation, writer, diagnostics);
+  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  const BifsVector vector = load_vector(GetParam());
+  EXPECT_EQ(writer.scene().config, file_bytes(folder_of(GetParam()) / "cfg.bin"));
+  ASSERT_EQ(writer.scene().units.size(), vector.units.size());
+  for (size_t i = 0; i < vector.units.size(); ++i) {
+    EXPECT_EQ(writer.scene().units[i].bytes, vector.units[i]) << "access unit " << i;
+    EXPECT_EQ(writer.scene().units[i].time, vector.decoded["accessUnits"][i]["time"]);
+  }
+}
+
+TEST_P(BtVectors, FromTheSecondTimeOnTheStreamsAreTheSame) {
+  if (GetParam() == "33-peer-proto-id-clash") GTEST_SKIP() << "the file cannot be decoded";
+  const EncodingChoices choices{.like_gpac = false, .use_names = GetParam() == "30-names"};
+  Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/mp4" / GetParam() /
+                          "scene.mp4");
+  std::vector<Bytes> files = {file};
+  std::vector<std::string> texts;
+  for (int round = 0; round < 2; ++round) {
+    texts.push_back(to_bt(files.back()));
+    Diagnostics diagnostics;
+    auto read = read_bt(texts.back(), {}, diagnostics);
+    ASSERT_TRUE(read.ok()) << to_string(read.error()) << "\n" << texts.back();
+    ASSERT_TRUE(set_up_encoding(read.value(), choices, diagnostics).ok());
+    const Bytes last = files.back();
+    files.push_back(to_mp4(read.value(), choices, media_of(last)));
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  EXPECT_EQ(streams_of(files[1]), streams_of(files[2]));
+  EXPECT_EQ(files[1], files[2]);
+  EXPECT_EQ(to_json(files[0]), to_json(files[1]));
+}
+
+}  // namespace afx::bifs
