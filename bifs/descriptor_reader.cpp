@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "bifs/tagged_reader.h"
+
 namespace afx::bifs {
 namespace {
 
@@ -110,31 +112,15 @@ void DescriptorReader::reserved(BitReader& in, unsigned bits, uint32_t expected)
 
 Descriptor DescriptorReader::descriptor(BitReader& in, const std::string& path, unsigned depth) {
   Descriptor out;
-  const auto tag = static_cast<uint8_t>(in.u(8, "tag"));
-  const std::string name = (path.empty() ? "" : path + "/") + name_of(tag);
-  if (in.ok() && (tag == 0 || tag == 0xFF)) {
-    in.fail(Errc::malformed, name + ": the tag is " + std::to_string(tag) + ", which is forbidden");
-  }
-  uint64_t length = 0;
-  unsigned count = 0;
-  for (bool more = true; more && in.ok(); ++count) {
-    more = in.u(1, "nextByte") != 0;
-    length = length << 7 | in.u(7, "sizeOfInstance");
-    if (count == 3 && more) in.fail(Errc::malformed, name + ": the length has more than 4 bytes");
-  }
-  if (in.ok() && length > in.bits_left() / 8) {
-    in.fail(Errc::truncated, name + ": ends behind the data that it is in (expected " +
-                                 std::to_string(length) + " bytes, " +
-                                 std::to_string(in.bits_left() / 8) + " are left)");
-  }
+  const auto [tag, name, length, length_bytes] =
+      read_tagged_header(in, name_of, path.empty() ? "" : path + "/", "data that it is in");
   if (depth >= kMaxDescriptorDepth) {
     in.fail(Errc::limit_exceeded, name + ": descriptors stand more than " +
                                       std::to_string(kMaxDescriptorDepth) + " deep in each other");
   }
   charge(in, sizeof(Descriptor));
   if (!in.ok()) return out;
-  const bool shortest = count == 1 || length >> (7 * (count - 1)) != 0;
-  out.length_bytes = static_cast<uint8_t>(shortest ? 0 : count);
+  out.length_bytes = length_bytes;
   const uint64_t end = in.bit() + length * 8;
   BitReader inner(data_.first(end / 8), trace_);
   inner.seek(in.bit());

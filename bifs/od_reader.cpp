@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bifs/descriptor_reader.h"
+#include "bifs/tagged_reader.h"
 
 namespace afx::bifs {
 namespace {
@@ -73,26 +74,9 @@ Result<OdCommands> OdReader::read() {
 
 OdCommand OdReader::command(BitReader& in) {
   OdCommand out;
-  const auto tag = static_cast<uint8_t>(in.u(8, "tag"));
-  const std::string name = name_of(tag);
-  if (in.ok() && (tag == 0 || tag == 0xFF)) {
-    in.fail(Errc::malformed, name + ": the tag is " + std::to_string(tag) + ", which is forbidden");
-  }
-  uint64_t length = 0;
-  unsigned count = 0;
-  for (bool more = true; more && in.ok(); ++count) {
-    more = in.u(1, "nextByte") != 0;
-    length = length << 7 | in.u(7, "sizeOfInstance");
-    if (count == 3 && more) in.fail(Errc::malformed, name + ": the length has more than 4 bytes");
-  }
-  if (in.ok() && length > in.bits_left() / 8) {
-    in.fail(Errc::truncated, name + ": ends behind the access unit (expected " +
-                                 std::to_string(length) + " bytes, " +
-                                 std::to_string(in.bits_left() / 8) + " are left)");
-  }
+  const auto [tag, name, length, length_bytes] = read_tagged_header(in, name_of, "", "access unit");
   if (!in.ok()) return out;
-  const bool shortest = count == 1 || length >> (7 * (count - 1)) != 0;
-  out.length_bytes = static_cast<uint8_t>(shortest ? 0 : count);
+  out.length_bytes = length_bytes;
   const uint64_t end = in.bit() + length * 8;
   BitReader inner(data_.first(end / 8), trace_);
   inner.seek(in.bit());
