@@ -33,7 +33,8 @@ Result<BifsConfig> read_form(std::span<const uint8_t> data, uint8_t version,
   const bool is_command_stream = in.u(1, "isCommandStream") != 0;
   if (!is_command_stream)
     in.fail(Errc::unsupported,
-            "BIFSConfig/isCommandStream is 0: BIFS-Anim is not read [expected a command stream]");
+            std::string(version == 1 ? "BIFSConfig" : "BIFSv2Config") +
+                "/isCommandStream is 0: BIFS-Anim is not read [expected a command stream]");
   config.pixel_metric = in.u(1, "pixelMetric") != 0;
   if (in.u(1, "hasSize") != 0) {
     DisplaySize size;

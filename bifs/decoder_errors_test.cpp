@@ -205,6 +205,36 @@ TEST(BifsConfigReading, WhatIsLeftOutIsNamed) {
   ASSERT_FALSE(animation.ok());
   EXPECT_EQ(animation.error().code, Errc::unsupported);
   EXPECT_NE(animation.error().text.find("BIFS-Anim"), std::string::npos);
+  // Version 2: no tools, no IDs, isCommandStream 0.
+  const auto second = read_config(Bytes{0x00, 0x00, 0x00}, kOtiBifsV2, diagnostics);
+  ASSERT_FALSE(second.ok());
+  EXPECT_EQ(second.error().code, Errc::unsupported);
+  EXPECT_NE(second.error().text.find("BIFSv2Config/isCommandStream is 0: BIFS-Anim"),
+            std::string::npos)
+      << second.error().text;
+}
+
+TEST(BifsErrors, AnIndexedFaceSetAs3DMeshIsNamed) {
+  // Shape { geometry IndexedFaceSet { } }: the configuration says that a 3D mesh stands here.
+  nodes::Scene scene;
+  SceneReplacement replacement;
+  replacement.root = scene.add("Group").value();
+  const nodes::NodeId shape = scene.add("Shape").value();
+  ASSERT_TRUE(scene.append(replacement.root, "children", shape).ok());
+  ASSERT_TRUE(scene.set(shape, "geometry", scene.add("IndexedFaceSet").value()).ok());
+  BifsConfig config = small_config();
+  BifsEncoder encoder(config);
+  const auto bytes = encode_frame(encoder, scene, {replacement});
+  ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
+  Diagnostics diagnostics;
+  EXPECT_TRUE(BifsDecoder(config).decode(bytes.value(), diagnostics).ok());
+  config.use_3d_mesh_coding = true;
+  const auto frame = BifsDecoder(config).decode(bytes.value(), diagnostics);
+  ASSERT_FALSE(frame.ok());
+  EXPECT_EQ(frame.error().code, Errc::unsupported);
+  EXPECT_NE(frame.error().text.find("3D mesh bitstream (use3DMeshCoding), which is not read"),
+            std::string::npos)
+      << frame.error().text;
 }
 
 }  // namespace afx::bifs

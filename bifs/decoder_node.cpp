@@ -72,7 +72,8 @@ NodeId FrameDecoder::read_node_type(nodes::NodeDataType type) {
       fail(Errc::malformed, "there is no " + type_name + " of version " + std::to_string(version) +
                                 " and code " + std::to_string(code));
     } else if (state_.config.use_3d_mesh_coding && definition->name == "IndexedFaceSet") {
-      fail(Errc::unsupported, "an IndexedFaceSet as 3D mesh bitstream (use3DMeshCoding)");
+      fail(Errc::unsupported,
+           "an IndexedFaceSet as 3D mesh bitstream (use3DMeshCoding), which is not read");
     } else if (take(1, sizeof(nodes::Node))) {
       return state_.scene.add(*definition, scope_);
     }
