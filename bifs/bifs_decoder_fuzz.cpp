@@ -28,7 +28,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   limits.scene_depth = 64;
   bifs::BifsDecoder decoder(config.value(), limits);
   bifs::BifsDecoder second(config.value());
-  bifs::BifsEncoder encoder(config.value());
+  bifs::EncodeOptions options;
+  options.predictive = true;
+  bifs::BifsEncoder encoder(config.value(), options);
   bifs::CommandJsonWriter writer;
   bool encodable = true;
   while (rest.size() >= 2) {

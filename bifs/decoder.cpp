@@ -42,7 +42,7 @@ FrameDecoder::Depth::Depth(FrameDecoder& decoder) : decoder_(decoder) {
 
 FrameDecoder::FrameDecoder(DecoderState& state, std::span<const uint8_t> data,
                            Diagnostics& diagnostics, const codec::Trace* trace)
-    : state_(state), diagnostics_(diagnostics), frame_(data, trace), in_(&frame_) {}
+    : state_(state), diagnostics_(diagnostics), frame_(data, trace), in_(&frame_), data_(data) {}
 
 void FrameDecoder::fail(Errc code, const std::string& text) {
   if (ok()) in_->fail(code, path_ + ": " + text);
@@ -146,6 +146,7 @@ std::optional<Error> FrameDecoder::read_buffer(const Buffer& buffer) {
   const Quantizer* const quantizer = std::exchange(quantizer_, nullptr);
   const std::optional<Quantizer> frame_quantizer = frame_quantizer_;
   const bool use_names = state_.use_names;
+  const auto data = std::exchange(data_, std::span<const uint8_t>(*buffer.bytes));
   in_ = &inner;
   buffer_depth_ = buffer.depth;
   {
@@ -159,6 +160,7 @@ std::optional<Error> FrameDecoder::read_buffer(const Buffer& buffer) {
     }
   }
   in_ = &frame_;
+  data_ = data;
   buffer_depth_ = 0;
   state_.use_names = use_names;
   frame_quantizer_ = frame_quantizer;  // in place: quantizer_ may point to it

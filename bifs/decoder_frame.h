@@ -153,7 +153,7 @@ class FrameDecoder {
                      const ElementCoding& coding);
   template <class ReadElement>
   void read_multiple(size_t element_bytes, ReadElement read_one);
-  void read_prediction_flag(const ElementCoding& coding);
+  bool read_prediction_flag(const ElementCoding& coding);
   void read_one(bool& value, const ElementCoding& coding);
   void read_one(uint8_t& value, const ElementCoding& coding);
   void read_one(int32_t& value, const ElementCoding& coding);
@@ -174,6 +174,10 @@ class FrameDecoder {
   std::vector<uint8_t> read_bytes(uint64_t count, std::string_view name);
   void read_node_list(std::vector<nodes::NodeId>& out, nodes::NodeDataType type);
 
+  // predictive_decoder.cpp
+  nodes::FieldValue read_predictive(const nodes::FieldDefinition& field,
+                                    const ElementCoding& coding);
+
   // decoder_proto.cpp
   std::vector<nodes::ProtoId> read_protos();
   nodes::ProtoId read_proto();
@@ -191,11 +195,13 @@ class FrameDecoder {
   bool read_script_field(nodes::NodeId script, std::vector<std::string>& identifiers);
 
   friend class ScriptDecoder;
+  friend class PredictiveDecoder;
 
   DecoderState& state_;
   Diagnostics& diagnostics_;
-  codec::BitReader frame_;  ///< over the whole access unit
-  codec::BitReader* in_;    ///< that, or over a command buffer
+  codec::BitReader frame_;         ///< over the whole access unit
+  codec::BitReader* in_;           ///< that, or over a command buffer
+  std::span<const uint8_t> data_;  ///< what in_ reads
   std::string path_;
   uint32_t depth_ = 0;
   uint64_t values_taken_ = 0;

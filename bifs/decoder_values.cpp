@@ -45,7 +45,8 @@ ElementCoding FrameDecoder::coding_of(const FieldDefinition& field,
 FieldValue FrameDecoder::read_value(const FieldDefinition& field, const ElementCoding& coding,
                                     NodeId script, bool may_predict) {
   if (!is_multiple(field.type)) return read_element(field, coding);
-  if (may_predict && state_.config.use_predictive_field) read_prediction_flag(coding);
+  if (may_predict && state_.config.use_predictive_field && read_prediction_flag(coding))
+    return read_predictive(field, coding);
   FieldValue value = zero_value(field.type);
   if (field.type == FieldType::mf_script) {
     auto& scripts = std::get<std::vector<std::string>>(value);
@@ -97,13 +98,11 @@ void FrameDecoder::read_multiple(size_t element_bytes, ReadElement read_one_elem
   for (uint32_t i = 0; i < count && ok(); ++i) read_one_element();
 }
 
-void FrameDecoder::read_prediction_flag(const ElementCoding& coding) {
-  if (u(1, "usePredictive") == 0) return;
-  if (coding.kind == Kind::plain) {
+bool FrameDecoder::read_prediction_flag(const ElementCoding& coding) {
+  if (u(1, "usePredictive") == 0) return false;
+  if (coding.kind == Kind::plain)
     fail(Errc::malformed, "predictive coding of a field that is not quantized");
-  } else {
-    fail(Errc::unsupported, "predictive coding of MF fields (usePredictiveMFField)");
-  }
+  return ok();
 }
 
 /// Elements of a list of nodes: a QuantizationParameter among them counts for those behind it.

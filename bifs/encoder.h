@@ -26,6 +26,10 @@ struct EncodeOptions {
   /// Write images that were not given (as 0x0) and lists of script texts too: GPAC never takes
   /// these for equal to their default.
   bool always_write_images = false;
+  /// Where the configuration has use_predictive_field: code quantized numeric MFFields predictively
+  /// if that is shorter. GPAC never does and cannot read it; the coding is not verified against any
+  /// other program (bifs/predictive_model.h).
+  bool predictive = false;
 };
 
 /// Encodes commands into access units; the mirror of BifsDecoder.

@@ -133,6 +133,10 @@ class FrameEncoder {
                      unsigned bits);
   void node_list(const std::vector<nodes::NodeId>& list, nodes::NodeDataType type);
 
+  // predictive_encoder.cpp
+  bool predictive(const nodes::FieldDefinition& field, const ElementCoding& coding,
+                  const nodes::FieldValue& written);
+
   // encoder_proto.cpp
   void protos(const std::vector<nodes::ProtoId>& list);
   void proto(nodes::ProtoId id);

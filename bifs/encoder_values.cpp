@@ -45,7 +45,7 @@ void FrameEncoder::value(const FieldDefinition& field, const ElementCoding& codi
                          const FieldValue& written, NodeId script_node, bool may_predict) {
   if (!holds(field.type, written)) return fail(Errc::bad_argument, "a value of another type");
   if (!is_multiple(field.type)) return element(field, coding, written);
-  if (may_predict && config_.use_predictive_field) put_flag(false);  // usePredictive
+  if (may_predict && config_.use_predictive_field && predictive(field, coding, written)) return;
   std::visit(
       [&]<class T>(const T& list) {
         if constexpr (std::is_same_v<T, std::vector<NodeId>>) {
