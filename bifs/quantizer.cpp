@@ -19,15 +19,8 @@ using nodes::NodeId;
 using nodes::Scene;
 
 constexpr float kLargest = std::numeric_limits<float>::max();
-constexpr std::string_view kQuantizerName = "QuantizationParameter";
 
-/// The fields of the quantizer: their names begin alike.
-struct CategoryRow {
-  uint8_t category;
-  const char* switch_field;
-  const char* prefix;  ///< of Min, Max and NbBits
-};
-constexpr CategoryRow kCategoryRows[] = {
+constexpr CategoryFields kCategoryFields[] = {
     {1, "position3DQuant", "position3D"},
     {2, "position2DQuant", "position2D"},
     {3, "drawOrderQuant", "drawOrder"},
@@ -103,14 +96,21 @@ Result<ElementCoding> integer_coding(const FieldDefinition& field, const Quantiz
 
 }  // namespace
 
+std::span<const CategoryFields> category_fields() { return kCategoryFields; }
+
+const nodes::NodeDefinition& quantizer_definition() {
+  static const nodes::NodeDefinition* const kDefinition =
+      nodes::definitions().find("QuantizationParameter");
+  return *kDefinition;
+}
+
 bool is_quantizer(const Scene& scene, NodeId node) {
-  static const nodes::NodeDefinition* const kDefinition = nodes::definitions().find(kQuantizerName);
-  return node.valid() && scene.node(node).definition == kDefinition;
+  return node.valid() && scene.node(node).definition == &quantizer_definition();
 }
 
 Quantizer Quantizer::from_node(const Scene& scene, NodeId node) {
   Quantizer quantizer;
-  for (const CategoryRow& row : kCategoryRows) {
+  for (const CategoryFields& row : kCategoryFields) {
     const std::string prefix = row.prefix;
     Rule& rule = quantizer.rules_[row.category];
     rule.on = scene.get<bool>(node, row.switch_field);

@@ -23,6 +23,15 @@ inline constexpr uint8_t kCategoryLinearScalar = 13;
 inline constexpr uint8_t kCategoryIndex = 14;
 inline constexpr size_t kCategories = 16;
 
+/// The fields of a QuantizationParameter for a category: a switch, and prefix + "Min", "Max" and
+/// "NbBits". Some share: normal is 9 and 10, size 11 and 12; normals have no Min and Max.
+struct CategoryFields {
+  uint8_t category;
+  const char* switch_field;
+  const char* prefix;
+};
+std::span<const CategoryFields> category_fields();
+
 /// What a QuantizationParameter node says.
 class Quantizer {
  public:
@@ -46,6 +55,8 @@ class Quantizer {
   bool is_local_ = false;
 };
 
+/// The definition of QuantizationParameter.
+const nodes::NodeDefinition& quantizer_definition();
 /// Whether a node is a QuantizationParameter.
 bool is_quantizer(const nodes::Scene& scene, nodes::NodeId node);
 
