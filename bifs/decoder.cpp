@@ -11,10 +11,12 @@
 
 namespace afx::bifs {
 
-BifsDecoder::BifsDecoder(const BifsConfig& config, const Limits& limits)
+BifsDecoder::BifsDecoder(const BifsConfig& config, const Limits& limits,
+                         const DecodeOptions& options)
     : state_(std::make_unique<DecoderState>()) {
   state_->config = config;
   state_->limits = limits;
+  state_->options = options;
 }
 BifsDecoder::BifsDecoder(BifsDecoder&&) noexcept = default;
 BifsDecoder& BifsDecoder::operator=(BifsDecoder&&) noexcept = default;

@@ -18,6 +18,12 @@ namespace afx::bifs {
 
 struct DecoderState;
 
+struct DecodeOptions {
+  /// Keep coding quantizers (bifs/coding_quantizer.h), which are no part of the scene: for who
+  /// wants to see the stream as it is. The scene then has nodes that nobody put there.
+  bool keep_coding_quantizers = false;
+};
+
 /// What one access unit held.
 struct CommandFrame {
   std::vector<Command> commands;
@@ -39,7 +45,8 @@ class BifsDecoder {
   /// are good during the call.
   using CommandSink = std::function<void(const Command& command, const nodes::Scene& scene)>;
 
-  explicit BifsDecoder(const BifsConfig& config, const Limits& limits = {});
+  explicit BifsDecoder(const BifsConfig& config, const Limits& limits = {},
+                       const DecodeOptions& options = {});
   BifsDecoder(BifsDecoder&&) noexcept;
   BifsDecoder& operator=(BifsDecoder&&) noexcept;
   ~BifsDecoder();

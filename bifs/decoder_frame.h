@@ -29,6 +29,7 @@ struct ScopeIds {
 struct DecoderState {
   BifsConfig config;
   Limits limits;
+  DecodeOptions options;
   nodes::Scene scene;
   std::map<nodes::ScopeId, ScopeIds> ids;
   bool use_names = false;
@@ -172,7 +173,8 @@ class FrameDecoder {
   float read_efficient_float();
   QuantizedDirection read_direction(bool has_sign, size_t components, unsigned bits);
   std::vector<uint8_t> read_bytes(uint64_t count, std::string_view name);
-  void read_node_list(std::vector<nodes::NodeId>& out, nodes::NodeDataType type);
+  void read_node_list(std::vector<nodes::NodeId>& out, const nodes::FieldDefinition& field,
+                      nodes::NodeId holder);
 
   // predictive_decoder.cpp
   nodes::FieldValue read_predictive(const nodes::FieldDefinition& field,

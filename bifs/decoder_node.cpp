@@ -35,6 +35,7 @@ NodeId FrameDecoder::read_node(nodes::NodeDataType type) {
         warn("name_twice", "a second node of the name '" + name + "', which stays without");
     }
   }
+  state_.scene.node(node).id = id;  // its lists are read in the knowledge of it
   read_fields(layout, {node, nullptr}, proto_.valid());
   if (id != 0) register_node(node, id);
   return node;
@@ -99,7 +100,6 @@ NodeId FrameDecoder::read_instance() {
 /// A node becomes known when it is complete, so that it cannot stand inside itself.
 void FrameDecoder::register_node(NodeId node, uint32_t id) {
   if (!ok()) return;
-  state_.scene.node(node).id = id;
   ids().nodes[id] = node;
 }
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "bifs/coding_quantizer.h"
 #include "bifs/decoder_frame.h"
 
 namespace afx::bifs {
@@ -56,7 +57,7 @@ FieldValue FrameDecoder::read_value(const FieldDefinition& field, const ElementC
   std::visit(
       [&]<class T>(T& list) {
         if constexpr (std::is_same_v<T, std::vector<NodeId>>) {
-          read_node_list(list, field.data_type);
+          read_node_list(list, field, script);
         } else if constexpr (List<T>) {
           read_multiple(sizeof(typename ElementOf<T>::type), [&] {
             typename ElementOf<T>::type element{};
@@ -106,13 +107,16 @@ bool FrameDecoder::read_prediction_flag(const ElementCoding& coding) {
 }
 
 /// Elements of a list of nodes: a QuantizationParameter among them counts for those behind it.
-void FrameDecoder::read_node_list(std::vector<NodeId>& out, nodes::NodeDataType type) {
+void FrameDecoder::read_node_list(std::vector<NodeId>& out, const FieldDefinition& field,
+                                  NodeId holder) {
+  const bool drops =
+      !state_.options.keep_coding_quantizers && is_free_list(state_.scene, holder, field);
   const Quantizer* const outer = quantizer_;
   std::optional<Quantizer> own;
   unsigned siblings_left = 0;  // of a local quantizer, itself included
   read_multiple(sizeof(NodeId), [&] {
-    const NodeId node = read_node(type);
-    out.push_back(node);
+    const NodeId node = read_node(field.data_type);
+    if (!drops || !is_coding_quantizer(state_.scene, node)) out.push_back(node);
     if (is_quantizer(state_.scene, node)) {
       own = Quantizer::from_node(state_.scene, node);
       quantizer_ = &*own;

@@ -72,6 +72,7 @@ void FrameEncoder::put_name(std::string_view name) {
 
 Status FrameEncoder::add(const Command& added, const nodes::Scene& scene) {
   scene_ = &scene;
+  savings_ = {};
   if (out_->commands == 0) quantizer_ = global_quantizer_ ? &*global_quantizer_ : nullptr;
   command(added);
   if (!ok()) return *error_;

@@ -30,6 +30,10 @@ struct EncodeOptions {
   /// if that is shorter. GPAC never does and cannot read it; the coding is not verified against any
   /// other program (bifs/predictive_model.h).
   bool predictive = false;
+  /// Write integers that have a range (OctreeImage.octree: 8 bits instead of 32) under coding
+  /// quantizers (bifs/coding_quantizer.h) where that makes the stream shorter: before children that
+  /// no command can address, where no quantizer is active. Not with usePredictiveMFField.
+  bool short_integers = false;
 };
 
 /// Encodes commands into access units; the mirror of BifsDecoder.

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bifs/coding_quantizer.h"
 #include "bifs/encoder.h"
 #include "bifs/node_walk.h"
 #include "bifs/quantizer.h"
@@ -131,7 +132,15 @@ class FrameEncoder {
   void put_efficient_float(float v);
   void put_direction(const QuantizedDirection& direction, bool has_sign, size_t components,
                      unsigned bits);
-  void node_list(const std::vector<nodes::NodeId>& list, nodes::NodeDataType type);
+  void node_list(const std::vector<nodes::NodeId>& list, const nodes::FieldDefinition& field,
+                 nodes::NodeId holder);
+
+  // encoder_coding_quantizer.cpp
+  std::vector<bool> coding_quantizers(const std::vector<nodes::NodeId>& list,
+                                      const nodes::FieldDefinition& field, nodes::NodeId holder);
+  [[nodiscard]] int64_t list_form_cost(size_t count) const;
+  int64_t coding_quantizer_cost(nodes::NodeDataType type);
+  void put_coding_quantizer(nodes::NodeDataType type);
 
   // predictive_encoder.cpp
   bool predictive(const nodes::FieldDefinition& field, const ElementCoding& coding,
@@ -165,6 +174,7 @@ class FrameEncoder {
   nodes::ProtoId proto_;  ///< the PROTO whose body is being written
   const Quantizer* quantizer_ = nullptr;
   std::optional<Quantizer> global_quantizer_;
+  IntegerSavings savings_;  ///< of the command at work
 };
 
 }  // namespace afx::bifs

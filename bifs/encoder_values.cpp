@@ -49,7 +49,7 @@ void FrameEncoder::value(const FieldDefinition& field, const ElementCoding& codi
   std::visit(
       [&]<class T>(const T& list) {
         if constexpr (std::is_same_v<T, std::vector<NodeId>>) {
-          node_list(list, field.data_type);
+          node_list(list, field, script_node);
         } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
           if (field.type != FieldType::mf_script)
             return multiple(list.size(), [&](size_t i) { one(list[i], coding); });
@@ -95,19 +95,39 @@ void FrameEncoder::multiple(size_t count, WriteElement write_one) {
 }
 
 /// Elements of a list of nodes: a QuantizationParameter among them counts for those behind it.
-void FrameEncoder::node_list(const std::vector<NodeId>& list, nodes::NodeDataType type) {
+void FrameEncoder::node_list(const std::vector<NodeId>& list, const FieldDefinition& field,
+                             NodeId holder) {
   const Quantizer* const outer = quantizer_;
   std::optional<Quantizer> own;
   unsigned siblings_left = 0;  // of a local quantizer, itself included
-  multiple(list.size(), [&](size_t i) {
-    node(list[i], type);
+  const auto write_one = [&](size_t i) {
+    node(list[i], field.data_type);
     if (is_quantizer(*scene_, list[i])) {
       own = Quantizer::from_node(*scene_, list[i]);
       quantizer_ = &*own;
       siblings_left = own->is_local() ? 2 : 0;
     }
     if (siblings_left > 0 && --siblings_left == 0) quantizer_ = outer;
-  });
+  };
+  const std::vector<bool> is_marked = coding_quantizers(list, field, holder);
+  if (is_marked.empty()) {
+    multiple(list.size(), write_one);
+    quantizer_ = outer;
+    return;
+  }
+  put_flag(false);  // reserved
+  put_flag(true);   // isList: in the vector form the peer takes no quantizer for local
+  for (size_t i = 0; i < list.size() && ok(); ++i) {
+    put_flag(false);  // endFlag
+    if (is_marked[i]) {
+      put_coding_quantizer(field.data_type);
+      put_flag(false);  // endFlag
+      quantizer_ = &coding_quantizer().quantizer;
+    }
+    write_one(i);
+    if (is_marked[i]) quantizer_ = outer;
+  }
+  put_flag(true);  // endFlag
   quantizer_ = outer;
 }
 
