@@ -279,6 +279,33 @@ TEST(CodingQuantizer, IsNotUsedWithPredictiveFields) {
   EXPECT_EQ(encode(scene, group, short_integers(), config), encode(scene, group, {}, config));
 }
 
+TEST(CodingQuantizer, StandsInTheBodiesOfProtosToo) {
+  Scene scene;
+  const nodes::ProtoId proto = scene.add_proto("Tree", false).value();
+  scene.proto(proto).id = 1;
+  const nodes::ScopeId body = scene.proto(proto).body;
+  const NodeId group = scene.add("Group", body).value();
+  scene.add_root(group, body);
+  const NodeId image = scene.add("OctreeImage", body).value();
+  ASSERT_TRUE(scene.set(image, "octree", std::vector<int32_t>(100, 1)).ok());
+  ASSERT_TRUE(scene.append(group, "children", image).ok());
+  scene.settle_data_types(proto);
+  SceneReplacement command;
+  command.use_names = true;
+  command.protos = {proto};
+  command.root = scene.add("Group").value();
+  BifsConfig config = four_bits();
+  config.proto_id_bits = 4;
+  BifsEncoder encoder(config, short_integers());
+  const auto bytes = encode_frame(encoder, scene, {command});
+  ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
+  EXPECT_LT(bytes.value().size(), 140U);
+  BifsDecoder decoder(config);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(decoder.decode(bytes.value(), diagnostics).ok());
+  EXPECT_TRUE(nodes::equal(scene, decoder.scene()));
+}
+
 TEST(CodingQuantizer, StandsInNodesOfLaterCommandsToo) {
   Scene scene;
   const NodeId root = scene.add("Group").value();

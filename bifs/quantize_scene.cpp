@@ -67,9 +67,7 @@ class Inserter {
                       GlobalQuantizer{new_quantizer()});
     }
     NodeId& root = replacement_of(presentation_, at).root;
-    const auto [holder, is_new] = holders_.emplace(root, root);
-    if (is_new) holder->second = at.has_inner_quantizer ? put_into(root) : put_around(root);
-    root = holder->second;
+    root = at.has_inner_quantizer ? put_into(root) : put_around(root);
   }
 
  private:
@@ -100,7 +98,6 @@ class Inserter {
 
   Presentation& presentation_;
   const std::vector<nodes::FieldEntry>& fields_;
-  std::map<NodeId, NodeId> holders_;  ///< of the roots so far: scenes may come again
 };
 
 /// Whether a quantizer and the root itself may stand in the children of a node of the root's type.

@@ -82,7 +82,8 @@ struct QuantizeReport {
 /// Where they do not fit, the commands are left without quantizer, and scenes are refused.
 ///
 /// Errors: bad_argument, and nothing is changed: a choice out of range or of an unknown name; the
-/// presentation has quantizers already; an integer that does not fit; the root is no grouping node.
+/// presentation has quantizers already; an integer that does not fit; a node that comes with two
+/// scenes; the root is no grouping node.
 Result<QuantizeReport> quantize_scene(Presentation& presentation,
                                       const QuantizeOptions& options = {});
 

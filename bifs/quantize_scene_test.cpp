@@ -287,20 +287,57 @@ TEST(QuantizeScene, LaterCommandsAreQuantizedAlike) {
 
 TEST(QuantizeScene, ASecondSceneIsQuantizedToo) {
   Sample sample;
-  SceneReplacement again;
-  again.root = sample.root;
-  sample.presentation.scene.node(sample.coord).id = 3;
-  const Points moved = random_points(100, 1, 2);
-  sample.add_frame({FieldReplacement{sample.ref(sample.coord, "point"), moved}});
-  sample.add_frame({again});
+  Scene& scene = sample.presentation.scene;
+  const Points points = random_points(100, 20, 30);
+  const NodeId coord = scene.add("Coordinate").value();
+  const NodeId set = scene.add("PointSet").value();
+  const NodeId shape = scene.add("Shape").value();
+  SceneReplacement second;
+  second.root = scene.add("OrderedGroup").value();
+  sample.set(coord, "point", points);
+  sample.set(set, "coord", coord);
+  sample.set(shape, "geometry", set);
+  ASSERT_TRUE(scene.append(second.root, "children", shape).ok());
+  sample.add_frame({second});
   const QuantizeReport report = sample.quantize();
   const std::vector<Bytes> frames = sample.encode();
-  EXPECT_LT(frames[2].size(), 1100U);  // 600 and 300 bytes of values, and the quantizer
+  EXPECT_LT(frames[1].size(), 700U);  // 600 bytes of values, and the quantizer
   const Scene decoded = decode(frames);
   EXPECT_LE(
-      greatest_difference(moved, decoded.get<Points>(node_of(decoded, "Coordinate"), "point")),
+      greatest_difference(points, decoded.get<Points>(node_of(decoded, "Coordinate"), "point")),
       row(report, "Coordinate").bound);
-  EXPECT_EQ(decoded.get<std::vector<NodeId>>(decoded.roots()[0], "children").size(), 2U);
+  // Its fields may count its children: the quantizer stands in a root around it.
+  const auto& children = decoded.get<std::vector<NodeId>>(decoded.roots()[0], "children");
+  ASSERT_EQ(children.size(), 2U);
+  EXPECT_TRUE(is_quantizer(decoded, children[0]));
+  EXPECT_EQ(decoded.type_name(children[1]), "OrderedGroup");
+}
+
+TEST(QuantizeScene, ANodeThatComesWithTwoScenesIsRefused) {
+  Sample sample;
+  SceneReplacement again;
+  again.root = sample.root;
+  sample.add_frame({again});
+  const auto report = quantize_scene(sample.presentation);
+  ASSERT_FALSE(report.ok());
+  EXPECT_NE(report.error().text.find("comes with two scenes"), std::string::npos);
+}
+
+TEST(QuantizeScene, ANewNodeThatCountsOlderPointsLeavesTheCommandsExact) {
+  Sample sample(1);
+  Scene& scene = sample.presentation.scene;
+  scene.node(sample.coord).id = 3;
+  const NodeId lines = scene.add("IndexedLineSet").value();
+  const NodeId shape = scene.add("Shape").value();
+  sample.set(lines, "coord", sample.coord);
+  sample.set(lines, "coordIndex", Indices{0, 99, -1});
+  sample.set(shape, "geometry", lines);
+  sample.add_frame({FieldReplacement{sample.ref(sample.coord, "point"), Points(3)},
+                    NodeInsertion{sample.root, {Position::Kind::last, 0}, shape}});
+  EXPECT_NE(sample.quantize().commands_left_out.find("IndexedLineSet"), std::string::npos);
+  const Scene decoded = decode(sample.encode());
+  EXPECT_EQ(decoded.get<Indices>(node_of(decoded, "IndexedLineSet"), "coordIndex"),
+            (Indices{0, 99, -1}));
 }
 
 TEST(QuantizeScene, CommandsWithIndicesAreLeftExact) {

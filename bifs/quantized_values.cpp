@@ -64,11 +64,12 @@ class Finder {
     values.command = place.second;
     SceneReplacement protos;  // their bodies come before the root
     protos.protos = command.protos;
-    for (const NodeId node : fresh_nodes(protos))
-      if (is_quantizer(scene(), node)) return has_quantizers();
+    const Result<std::vector<NodeId>> bodies = fresh_nodes(protos);
+    if (!bodies.ok()) return bodies.error();
+    const Result<std::vector<NodeId>> fresh = fresh_nodes(command);
+    if (!fresh.ok()) return fresh.error();
     values.has_inner_quantizer = command.root.valid() && has_inner_quantizer(scene(), command.root);
-    for (const NodeId node : fresh_nodes(command)) {
-      if (is_quantizer(scene(), node)) return has_quantizers();
+    for (const NodeId node : fresh.value()) {
       if (node == command.root && values.has_inner_quantizer) continue;
       if (!integer_saving(scene(), node))
         return Error{Errc::bad_argument, {}, misfit(scene().type_name(node))};
@@ -80,15 +81,31 @@ class Finder {
 
   Status add_command(const Command& command) {
     if (std::holds_alternative<GlobalQuantizer>(command)) return has_quantizers();
-    for (const NodeId node : fresh_nodes(command)) {
-      if (is_quantizer(scene(), node)) return has_quantizers();
-      if (found_.empty()) continue;
-      if (!integer_saving(scene(), node))
+    const Result<std::vector<NodeId>> fresh = fresh_nodes(command);
+    if (!fresh.ok()) return fresh.error();
+    if (found_.empty()) return {};
+    for (const NodeId node : fresh.value()) {
+      if (!integer_saving(scene(), node) || counts_older_points(node, fresh.value()))
         found_.back().later_misfit = misfit(scene().type_name(node));
       add_fields(node, found_.back().later);
     }
-    if (!found_.empty()) add_values_of(command);
+    add_values_of(command);
     return {};
+  }
+
+  /// Whether a node has indices and, maybe, coordinates that came before it: commands may have
+  /// changed how many there are.
+  bool counts_older_points(NodeId id, const std::vector<NodeId>& fresh) const {
+    const nodes::Node& node = scene().node(id);
+    bool has_indices = false;
+    bool has_older = false;
+    for (const nodes::FieldEntry& entry : node.values) {
+      has_indices |= node.definition->field(entry.field).quant_category == kCategoryIndex;
+      const auto* inner = std::get_if<NodeId>(&entry.value);
+      has_older |= inner != nullptr && inner->valid() &&
+                   !std::binary_search(fresh.begin(), fresh.end(), *inner);
+    }
+    return has_indices && has_older;
   }
 
   void add_values_of(const Command& command) {
@@ -129,11 +146,20 @@ class Finder {
     out.push_back({&definition, &field, &value});
   }
 
-  /// In the order of their numbers, which is the same everywhere.
-  std::vector<NodeId> fresh_nodes(const Command& command) {
+  /// The nodes that a command brings, in the order of their numbers, which is the same everywhere.
+  /// A node that comes again with another scene may have been changed by then.
+  Result<std::vector<NodeId>> fresh_nodes(const Command& command) {
     std::vector<NodeId> list;
     for (const uint32_t node : new_nodes(scene(), command, known_)) list.emplace_back(node);
     std::sort(list.begin(), list.end());
+    for (const NodeId node : list) {
+      if (is_quantizer(scene(), node)) return has_quantizers();
+      if (!seen_.insert(node.value).second)
+        return Error{Errc::bad_argument,
+                     {},
+                     "a " + scene().type_name(node) +
+                         " comes with two scenes [expected nodes of its own in each scene]"};
+    }
     return list;
   }
 
@@ -151,7 +177,8 @@ class Finder {
   [[nodiscard]] const Scene& scene() const { return presentation_.scene; }
 
   const Presentation& presentation_;
-  NodeSet known_;
+  NodeSet known_;  ///< in the scene at hand
+  NodeSet seen_;   ///< in any
   std::vector<SceneValues> found_;
 };
 

@@ -28,7 +28,8 @@ struct SceneValues {
   std::string later_misfit;           ///< an integer there that does not fit; empty if all do
 };
 
-/// Errors: bad_argument (the presentation has quantizers; an integer of a scene does not fit).
+/// Errors: bad_argument (the presentation has quantizers; an integer of a scene does not
+/// fit; a node comes with two scenes).
 Result<std::vector<SceneValues>> find_quantized_values(const Presentation& presentation);
 
 }  // namespace afx::bifs
