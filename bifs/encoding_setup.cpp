@@ -186,6 +186,7 @@ EncodeOptions encode_options(const EncodingChoices& choices) {
   EncodeOptions options;
   options.always_write_images = choices.like_gpac;
   options.predictive = choices.predictive;
+  options.short_integers = !choices.like_gpac;
   return options;
 }
 

@@ -137,7 +137,8 @@ class PresentationDecoder {
                               " is the one decoded");
     const auto config = config_of(*scene_, diagnostics_);
     if (!config.ok()) return config.error();
-    decoder_.emplace(config.value(), options_.limits);
+    decoder_.emplace(config.value(), options_.limits,
+                     DecodeOptions{.keep_coding_quantizers = !options_.drop_coding_quantizers});
     return {};
   }
 
