@@ -163,7 +163,7 @@ void BtTextReader::read_replace_scene(Commands& out) {
   command.protos = scope.protos;
   command.routes = std::exchange(scope.routes, {});
   for (Route& route : command.routes)
-    if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name);
+    if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name, !like_gpac_);
   out.push_back(std::move(command));
 }
 
@@ -176,7 +176,7 @@ void BtTextReader::read_insert_route(Commands& out) {
   }
   Route route = read_new_route(name);
   if (!in_.ok()) return;
-  if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name);
+  if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name, !like_gpac_);
   out.push_back(RouteInsertion{std::move(route)});
 }
 

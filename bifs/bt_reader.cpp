@@ -94,7 +94,7 @@ void BtTextReader::end_scene() {
   command.protos = scope.protos;
   command.routes = std::exchange(scope.routes, {});
   for (nodes::Route& route : command.routes)
-    if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name);
+    if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name, !like_gpac_);
   auto& commands = std::get<Commands>(unit_at(0, false, true).commands);
   commands.insert(commands.begin(), std::move(command));
 }

@@ -62,9 +62,9 @@ class BifsDecoder {
   ///   unsupported     3D mesh coding; field types of private numbers
   ///   limit_exceeded  limits.scene_depth, scene_values, memory (of one call), picture_pixels
   /// Warnings: trailing_bytes, align_bits, id_twice, name_twice, name_changed (of a PROTO or a
-  /// field: no identifier, or a node's), reserved_bits, residual_ending (a predictive MFField may be
-  /// damaged), not_applied (the command is well coded but says what cannot be, e.g. an index behind
-  /// the end).
+  /// field: no identifier, or a node's), reserved_bits, residual_ending (a predictive MFField may
+  /// be damaged), not_applied (the command is well coded but says what cannot be, e.g. an index
+  /// behind the end).
   Result<CommandFrame> decode(std::span<const uint8_t> data, Diagnostics& diagnostics,
                               const CommandSink& sink = {}, const codec::Trace* trace = nullptr);
 

@@ -15,6 +15,7 @@ struct EncodingChoices {
   /// - images and lists of script texts are written even if they were not given;
   /// - node insertions at positions above 255 lose the higher bits (a warning says so);
   /// - no coding of numbers but the ones that the text asks for.
+  /// The text must be read like_gpac too (nodes::SceneReadOptions), for strings and ROUTE IDs.
   /// Otherwise PROTO IDs are unique in the file, and insertions at such positions are coded as
   /// insertions of values, which have 16 bits.
   bool like_gpac = false;

@@ -9,15 +9,31 @@ namespace afx::bifs {
 
 using nodes::NodeId;
 
-std::optional<uint32_t> id_of_name(char letter, std::string_view name) {
-  if (name.size() < 2 || name[0] != letter) return std::nullopt;
-  name.remove_prefix(1);
-  if (name[0] == '0' && name.size() > 1) return std::nullopt;
+namespace {
+
+/// The number behind a prefix, in decimal without leading zeros.
+std::optional<uint32_t> number_behind(std::string_view prefix, std::string_view name) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  name.remove_prefix(prefix.size());
+  if (name.starts_with('0') && name.size() > 1) return std::nullopt;
   uint32_t number = 0;
   const auto [stop, failure] = std::from_chars(name.data(), name.data() + name.size(), number);
   const bool whole = failure == std::errc{} && stop == name.data() + name.size();
   if (!whole || number >= (uint32_t{1} << 31) - 1) return std::nullopt;
-  return number + 1;
+  return number;
+}
+
+/// Proto<k> has the ID k; 0 is none here.
+std::optional<uint32_t> id_of_proto_name(std::string_view name) {
+  const std::optional<uint32_t> number = number_behind("Proto", name);
+  return number && *number > 0 ? number : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<uint32_t> id_of_name(char letter, std::string_view name) {
+  const std::optional<uint32_t> number = number_behind({&letter, 1}, name);
+  return number ? std::optional(*number + 1) : std::nullopt;
 }
 
 uint32_t TakenIds::take_new(std::optional<uint32_t> wanted) {
@@ -53,12 +69,12 @@ void assign_proto_ids(nodes::Scene& scene) {
     if (const uint32_t id = scene.proto(nodes::ProtoId{i}).id; id != 0) taken.take(id);
   for (size_t i = 0; i < scene.proto_count(); ++i) {
     nodes::Proto& proto = scene.proto(nodes::ProtoId{i});
-    if (proto.id == 0) proto.id = taken.take_new(std::nullopt);
+    if (proto.id == 0) proto.id = taken.take_new(id_of_proto_name(proto.interface.name));
   }
 }
 
-uint32_t RouteIds::id_of_new(std::string_view name) {
-  const uint32_t id = taken_.take_new(id_of_name('R', name));
+uint32_t RouteIds::id_of_new(std::string_view name, bool by_name) {
+  const uint32_t id = taken_.take_new(by_name ? id_of_name('R', name) : std::nullopt);
   names_[std::string(name)] = id;
   return id;
 }

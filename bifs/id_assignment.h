@@ -51,7 +51,8 @@ class RouteIds {
  public:
   /// The ID of a new ROUTE with that name: that of the name (R<k>) if it is free, otherwise the
   /// smallest free one. From now on the name means this ROUTE.
-  uint32_t id_of_new(std::string_view name);
+  /// by_name  false: the smallest free one whatever the name, as GPAC reads
+  uint32_t id_of_new(std::string_view name, bool by_name = true);
   /// The same for a ROUTE whose ID is known.
   void note(std::string_view name, uint32_t id);
   /// The ID of the ROUTE with that name; none if there is none.

@@ -22,13 +22,23 @@ uint32_t last_code(unsigned bits) { return (uint32_t{1} << bits) - 1; }  // bits
 /// The greatest distance of a component's code from the code of zero.
 double component_scale(unsigned bits) { return static_cast<double>(last_code(bits - 1)); }
 
+/// The component of greatest magnitude, of equal ones the first. Those that differ by no more than
+/// binary32 cannot hold are equal: what was decoded is then encoded to the same code again.
+template <size_t n>
+size_t greatest_component(const std::array<double, n>& c) {
+  constexpr double kSame = 1 - 1e-6;
+  double most = 0;
+  for (const double component : c) most = std::max(most, std::abs(component));
+  for (size_t i = 0; i < n; ++i)
+    if (std::abs(c[i]) >= most * kSame) return i;
+  return 0;  // NaN
+}
+
 template <size_t n>
 QuantizedDirection quantize_direction(const std::array<double, n>& c, unsigned bits) {
   QuantizedDirection out;
   if (bits < 2) return out;
-  size_t greatest = 0;
-  for (size_t i = 1; i < n; ++i)
-    if (std::abs(c[i]) > std::abs(c[greatest])) greatest = i;
+  const size_t greatest = greatest_component(c);
   out.orientation = static_cast<uint32_t>(greatest);
   out.negative = c[greatest] < 0;
   const uint32_t zero = uint32_t{1} << (bits - 1);

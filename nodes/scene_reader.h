@@ -17,6 +17,8 @@ struct SceneReadOptions {
   /// Gives the bytes of a file that the text names ("file:name" in BitWrapper.buffer). Empty: such
   /// a text is an error (unsupported).
   std::function<Result<std::string>(std::string_view name)> load_file;
+  /// Read strings as GPAC does: two backslashes stay two. (VRML97: they are one.)
+  bool like_gpac = false;
 };
 
 /// Reads a scene from text in VRML97 node syntax, as .wrl files and MPEG-4 BT files have it.

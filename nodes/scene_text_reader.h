@@ -95,6 +95,7 @@ class SceneTextReader {
   TextCursor in_;
   ValueReader values_;
   Scene scene_;
+  bool like_gpac_;
   uint32_t depth_ = 0;
   std::vector<uint8_t> open_nodes_;              ///< by node number: its `}` has not been read yet
   std::set<ProtoId> open_protos_;                ///< likewise

@@ -127,6 +127,7 @@ std::string TextCursor::string() {
     ++at_;
     if (*stop == '"') break;
     const bool escape = at_ != end_ && (*at_ == '"' || *at_ == '\\');
+    if (escape && *at_ == '\\' && double_backslashes_) out += '\\';
     out += escape ? *at_++ : '\\';
   }
   check_utf8({text_.data() + opened, offset() - opened}, opened);

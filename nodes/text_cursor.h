@@ -72,6 +72,8 @@ class TextCursor {
   bool boolean();
   /// A string in quotes with \" and \\; other backslashes stand for themselves.
   std::string string();
+  /// Whether \\ in a string stands for itself.
+  void keep_double_backslashes(bool keep) { double_backslashes_ = keep; }
   /// What is between `{` and the `}` that belongs to it, strings and comments taken as such.
   std::string_view braces();
 
@@ -107,6 +109,7 @@ class TextCursor {
   const char* at_;
   const char* end_;
   bool ok_ = true;
+  bool double_backslashes_ = false;
   Error error_;
   Diagnostics* diagnostics_;
   TextPlaces places_;

@@ -151,7 +151,8 @@ int encode_presentation(const EncodeOptions& options, const std::string& format,
                              " (expected scene text: .wrl, .bt or .xmt)"},
                         path, diagnostics);
   }
-  auto read = read_presentation(input.value(), session.limits, diagnostics);
+  auto read =
+      read_presentation(input.value(), session.limits, diagnostics, options.choices == "gpac");
   if (!read.ok()) return session.fail(read.error(), path, diagnostics);
   bifs::Presentation& presentation = read.value();
 

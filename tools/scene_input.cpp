@@ -124,11 +124,12 @@ Result<CodedScene> open_coded_scene(const Input& input, const Limits& limits,
 }
 
 Result<bifs::Presentation> read_presentation(const Input& input, const Limits& limits,
-                                             Diagnostics& diagnostics) {
-  auto presentation =
-      input.kind == Kind::scene_xml
-          ? bifs::read_xmt(text_of(input), limits, diagnostics)
-          : bifs::read_bt(text_of(input), limits, diagnostics, text_options(input, limits));
+                                             Diagnostics& diagnostics, bool like_gpac) {
+  nodes::SceneReadOptions options = text_options(input, limits);
+  options.like_gpac = like_gpac;
+  auto presentation = input.kind == Kind::scene_xml
+                          ? bifs::read_xmt(text_of(input), limits, diagnostics)
+                          : bifs::read_bt(text_of(input), limits, diagnostics, options);
   if (!presentation.ok()) return with_file(std::move(presentation).error(), input.path);
   return presentation;
 }
