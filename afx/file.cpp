@@ -254,6 +254,13 @@ Result<MappedFile> MappedFile::map(int fd, const std::string& path, bool whole,
   return result;
 }
 
+MappedFile MappedFile::in_memory(std::vector<uint8_t> bytes) {
+  MappedFile result;
+  result.read_ = std::move(bytes);
+  result.bytes_ = result.read_;
+  return result;
+}
+
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : bytes_(std::exchange(other.bytes_, {})),
       mapped_(std::exchange(other.mapped_, false)),

@@ -33,6 +33,9 @@ class MappedFile {
   /// or is not a regular file; limit_exceeded; no_memory
   static Result<MappedFile> open_regular(const std::string& path, const Limits& limits = {});
 
+  /// Bytes at hand, for what takes a file.
+  static MappedFile in_memory(std::vector<uint8_t> bytes);
+
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&& other) noexcept;
   MappedFile(const MappedFile&) = delete;
