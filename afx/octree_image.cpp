@@ -7,9 +7,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
+#include "afx/media_import.h"
 #include "afx/octree_stream.h"
 #include "afx/picture_io.h"
-#include "afx/scene_files.h"
 #include "nodes/traversal.h"
 
 namespace afx {
@@ -90,7 +90,24 @@ Status decode_into(OctreeNode& octree, std::span<const uint8_t> stream, const No
   return {};
 }
 
-Status read_wrapped(OctreeNode& octree, const NodeView& wrapper, const std::string& folder,
+/// Whether a stream that was opened for a BitWrapper is what it can hold.
+Status check_stream(const bifs::Media& stream, const NodeView& wrapper, Diagnostics& diagnostics) {
+  if (const auto code = afx_object_code(stream); code != kOctreeImageCode) {
+    return bad_node(wrapper,
+                    code ? "its stream has the AFX object code " + std::to_string(*code) +
+                               " (expected 6, OctreeImage)"
+                         : "its stream is no AFX stream (expected one of OctreeImage)",
+                    Errc::unsupported);
+  }
+  if (const size_t samples = stream.track.samples.size(); samples > 1) {
+    diagnostics.warn("frames_left_out", Place::none(),
+                     wrapper.label() + ": its stream has " + std::to_string(samples) +
+                         " samples, of which the first is taken");
+  }
+  return {};
+}
+
+Status read_wrapped(OctreeNode& octree, const NodeView& wrapper, const UrlBase& base,
                     const Limits& limits, Diagnostics& diagnostics) {
   const auto& urls = wrapper.get<std::vector<Url>>("url");
   const auto& buffer = wrapper.get<std::string>("buffer");
@@ -106,8 +123,12 @@ Status read_wrapped(OctreeNode& octree, const NodeView& wrapper, const std::stri
     const auto* bytes = reinterpret_cast<const uint8_t*>(buffer.data());
     return decode_into(octree, {bytes, buffer.size()}, wrapper, limits, diagnostics);
   }
-  const auto stream = open_url(urls, folder, limits);
+  const auto stream = open_url(urls, base, limits);
   if (!stream.ok()) return bad_node(wrapper, to_string(stream.error()), stream.error().code);
+  if (stream.value().stream != nullptr) {
+    const Status right = check_stream(*stream.value().stream, wrapper, diagnostics);
+    if (!right.ok()) return right;
+  }
   Diagnostics of_stream;
   Status status = decode_into(octree, stream.value().file.bytes(), wrapper, limits, of_stream);
   diagnostics.append(of_stream, stream.value().path);
@@ -128,8 +149,7 @@ Picture picture_of(const nodes::Image& image) {
 
 /// The picture of a texture node. The Error says why there is none; limit_exceeded is to be passed
 /// on.
-Result<Picture> load_texture(const NodeView& texture, const std::string& folder,
-                             const Limits& limits) {
+Result<Picture> load_texture(const NodeView& texture, const UrlBase& base, const Limits& limits) {
   if (!texture.valid()) return Error{Errc::bad_argument, Place::none(), "has no texture"};
   if (texture.type() == "PixelTexture") return picture_of(texture.get<nodes::Image>("image"));
   if (texture.type() != "ImageTexture") {
@@ -137,7 +157,7 @@ Result<Picture> load_texture(const NodeView& texture, const std::string& folder,
                  "has a texture of type " + std::string(texture.type()) +
                      " (expected ImageTexture or PixelTexture)"};
   }
-  const auto file = open_url(texture.get<std::vector<Url>>("url"), folder, limits);
+  const auto file = open_url(texture.get<std::vector<Url>>("url"), base, limits);
   if (!file.ok()) return file.error();
   return decode_picture(file.value().file.bytes(), file.value().path, limits);
 }
@@ -154,8 +174,8 @@ nodes::Rotation rotation_of(const glm::quat& q) {
   return {axis.x, axis.y, axis.z, glm::angle(q)};
 }
 
-Result<ReferenceImage> read_image(const NodeView& node, const std::string& folder,
-                                  const Limits& limits, Diagnostics& diagnostics) {
+Result<ReferenceImage> read_image(const NodeView& node, const UrlBase& base, const Limits& limits,
+                                  Diagnostics& diagnostics) {
   ReferenceImage image;
   if (!node.valid()) {
     diagnostics.warn("missing_picture", Place::none(), "an image of an OctreeImage is NULL");
@@ -168,7 +188,7 @@ Result<ReferenceImage> read_image(const NodeView& node, const std::string& folde
     diagnostics.warn("perspective_image", Place::none(),
                      node.label() + ": orthographic is FALSE, fieldOfView is read as lengths");
   }
-  auto picture = load_texture(node.child("diTexture").child("texture"), folder, limits);
+  auto picture = load_texture(node.child("diTexture").child("texture"), base, limits);
   if (picture.ok()) {
     image.picture = std::move(picture).value();
   } else if (picture.error().code == Errc::limit_exceeded) {
@@ -249,23 +269,22 @@ std::vector<NodeView> find_octree_images(const nodes::Scene& scene) {
   return found;
 }
 
-Result<OctreeNode> read_octree_node(const NodeView& node, const std::string& folder,
-                                    const Limits& limits, Diagnostics& diagnostics) {
+Result<OctreeNode> read_octree_node(const NodeView& node, const UrlBase& base, const Limits& limits,
+                                    Diagnostics& diagnostics) {
   const NodeView octree_view = octree_of(node);
   if (octree_view.type() != "OctreeImage")
     return bad_node(node, "is not an OctreeImage and holds none");
   auto octree = plain_node(octree_view);
   if (!octree.ok() || node.type() != "BitWrapper") return octree;
-  if (Status status = read_wrapped(octree.value(), node, folder, limits, diagnostics);
-      !status.ok()) {
+  if (Status status = read_wrapped(octree.value(), node, base, limits, diagnostics); !status.ok()) {
     return std::move(status).error();
   }
   return octree;
 }
 
-Result<OctreeModel> read_octree_model(const NodeView& node, const std::string& folder,
+Result<OctreeModel> read_octree_model(const NodeView& node, const UrlBase& base,
                                       const Limits& limits, Diagnostics& diagnostics) {
-  auto octree = read_octree_node(node, folder, limits, diagnostics);
+  auto octree = read_octree_node(node, base, limits, diagnostics);
   if (!octree.ok()) return std::move(octree).error();
   OctreeModel model;
   model.resolution = octree.value().resolution;
@@ -277,7 +296,7 @@ Result<OctreeModel> read_octree_model(const NodeView& node, const std::string& f
   }
   Limits left = limits;  // for the pictures together
   for (const NodeView& view : images) {
-    auto image = read_image(view, folder, left, diagnostics);
+    auto image = read_image(view, base, left, diagnostics);
     if (!image.ok()) return std::move(image).error();
     left.memory -= std::min<uint64_t>(left.memory, image.value().picture.samples.size());
     model.images.push_back(std::move(image).value());

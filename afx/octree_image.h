@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "afx/octree_model.h"
+#include "afx/scene_files.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
 #include "codec/limits.h"
@@ -34,23 +35,24 @@ struct OctreeNode {
 
 /// Reads the fields of an OctreeImage, or of a BitWrapper that holds one: then from its stream.
 ///
-/// folder    of the scene's file, for the url of a BitWrapper; empty = the working folder
+/// base      where the url of a BitWrapper leads
 /// Errors    bad_argument: octreeResolution < 1, a value outside 0..255 (the text names node, field
 /// and
 ///           position), a BitWrapper without an OctreeImage or with both or neither of url and
 ///           buffer, more numOfTextures than images; unsupported: another `type` of BitWrapper, an
-///           url that is no file; io and whatever decode_octree_stream says of the stream
+///           url that is neither a file nor an OctreeImage stream; io and whatever
+///           decode_octree_stream says of the stream
 /// Warnings  bitwrapper_fields: the node has fields that the stream replaces; frames_left_out: the
-///           stream has more than one frame; those of the stream, with its path
-Result<OctreeNode> read_octree_node(const nodes::NodeView& node, const std::string& folder,
+///           stream has more than one frame or sample; those of the stream, with its path
+Result<OctreeNode> read_octree_node(const nodes::NodeView& node, const UrlBase& base,
                                     const Limits& limits, Diagnostics& diagnostics);
 
-/// Reads an OctreeImage with its reference images; pictures are loaded from files named relative to
-/// `folder`. Errors    as read_octree_node; bad_argument: more than 255 images; limit_exceeded:
-/// pictures beyond limits Warnings  missing_picture: an image has no picture that could be loaded
-/// (it is left empty);
+/// Reads an OctreeImage with its reference images; pictures are loaded from files and streams as
+/// `base` has them. Errors    as read_octree_node; bad_argument: more than 255 images;
+/// limit_exceeded: pictures beyond limits Warnings  missing_picture: an image has no picture that
+/// could be loaded (it is left empty);
 ///           perspective_image: orthographic FALSE, fieldOfView is read as lengths
-Result<OctreeModel> read_octree_model(const nodes::NodeView& node, const std::string& folder,
+Result<OctreeModel> read_octree_model(const nodes::NodeView& node, const UrlBase& base,
                                       const Limits& limits, Diagnostics& diagnostics);
 
 /// A reference image as it is written into a scene.
