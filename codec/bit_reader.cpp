@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "codec/bit_reader.h"
 
-#include <algorithm>
-#include <cassert>
+#include <cstring>
 
 namespace afx::codec {
 
@@ -12,30 +11,48 @@ BitReader::Scope::Scope(BitReader& reader, std::string_view name)
   reader.path_.append(name).push_back('/');
 }
 
-uint32_t BitReader::u(unsigned bits, std::string_view name) {
-  assert(bits <= 32);
+/// What u() does not do on its fast way: failures and traces.
+uint32_t BitReader::u_told(unsigned bits, std::string_view name) {
   if (!ok()) return 0;
   element_bit_ = bit_;
   if (bits > bits_left()) {
-    fail(Errc::truncated, "the data end inside " + path_ + std::string(name) + " (expected " +
-                              std::to_string(bits) + " bits, " + std::to_string(bits_left()) +
-                              " are left)");
+    fail_truncated(name, std::to_string(bits) + " bits", bits_left());
     return 0;
   }
-  uint64_t value = 0;
-  for (uint64_t at = bit_; at < bit_ + bits;) {
-    const auto offset = static_cast<unsigned>(at % 8);
-    const auto take = static_cast<unsigned>(std::min<uint64_t>(8 - offset, bit_ + bits - at));
-    const unsigned byte = data_[at / 8];
-    value = value << take | (byte >> (8 - offset - take) & ((1U << take) - 1));
-    at += take;
-  }
+  const uint32_t value = bits_at(data_, bit_, bits);
   bit_ += bits;
   if (trace_ != nullptr) {
     const std::string path = path_ + std::string(name);
     (*trace_)({element_bit_, bits, path, value});
   }
-  return static_cast<uint32_t>(value);
+  return value;
+}
+
+void BitReader::bytes(std::span<uint8_t> out, std::string_view name) {
+  if (!ok() || out.empty()) return;
+  if (out.size() > bits_left() / 8) {
+    element_bit_ = bit_;
+    return fail_truncated(name, std::to_string(out.size()) + " bytes", bits_left() / 8);
+  }
+  if (!has_run(out.size(), 8)) {
+    for (uint8_t& byte : out) byte = static_cast<uint8_t>(u(8, name));
+    return;
+  }
+  const uint64_t begin = bit_;
+  Run rest = run(out.size(), 8);
+  if (begin % 8 == 0) {
+    std::memcpy(out.data(), data_.data() + begin / 8, out.size());
+    return;
+  }
+  for (uint8_t& byte : out) byte = static_cast<uint8_t>(rest.u());
+}
+
+BitReader::Run BitReader::run(uint64_t count, unsigned bits) {
+  assert(bits <= 32 && has_run(count, bits));
+  const uint64_t begin = bit_;
+  if (count > 0) element_bit_ = begin + (count - 1) * bits;
+  bit_ += count * bits;
+  return {data_, begin, bits};
 }
 
 void BitReader::align(Diagnostics& diagnostics) {
@@ -49,6 +66,11 @@ void BitReader::align(Diagnostics& diagnostics) {
 
 void BitReader::fail(Errc code, std::string text) {
   if (ok()) error_ = Error{code, Place::at_bit(element_bit_), std::move(text)};
+}
+
+void BitReader::fail_truncated(std::string_view name, const std::string& expected, uint64_t left) {
+  fail(Errc::truncated, "the data end inside " + path_ + std::string(name) + " (expected " +
+                            expected + ", " + std::to_string(left) + " are left)");
 }
 
 }  // namespace afx::codec

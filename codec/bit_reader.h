@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "codec/bit_window.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
 
@@ -35,7 +37,45 @@ class BitReader {
 
   /// Reads an unsigned number of `bits` bits, 0..32 (0 reads nothing and gives 0).
   /// Fails with truncated where they are not there.
-  uint32_t u(unsigned bits, std::string_view name);
+  uint32_t u(unsigned bits, std::string_view name) {
+    assert(bits <= 32);
+    if (!ok() || trace_ != nullptr || bits > bits_left()) return u_told(bits, name);
+    element_bit_ = bit_;
+    bit_ += bits;
+    return bits_at(data_, element_bit_, bits);
+  }
+
+  /// Fills `out` with bytes, wherever the reader stands in its own. Fails with truncated, and
+  /// leaves `out` as it is, where they are not all there.
+  void bytes(std::span<uint8_t> out, std::string_view name);
+
+  /// Numbers of one width that follow each other, read without a test and a name for each.
+  class Run {
+   public:
+    /// The next number; not more often than the run is long.
+    uint32_t u() {
+      const uint64_t at = bit_;
+      bit_ += bits_;
+      return bits_at(data_, at, bits_);
+    }
+
+   private:
+    friend class BitReader;
+    Run(std::span<const uint8_t> data, uint64_t bit, unsigned bits)
+        : data_(data), bit_(bit), bits_(bits) {}
+    std::span<const uint8_t> data_;
+    uint64_t bit_;
+    unsigned bits_;
+  };
+
+  /// Takes `count` numbers of `bits` bits each, 0..32; the reader then stands behind them. Only
+  /// where has_run().
+  Run run(uint64_t count, unsigned bits);
+  /// Whether so many numbers can be taken as a run: they are there, and nobody wants to hear of
+  /// each.
+  [[nodiscard]] bool has_run(uint64_t count, unsigned bits) const {
+    return ok() && trace_ == nullptr && (bits == 0 || count <= bits_left() / bits);
+  }
 
   /// Skips to the next byte boundary; bits other than 0 there are a warning (align_bits).
   void align(Diagnostics& diagnostics);
@@ -66,6 +106,9 @@ class BitReader {
   };
 
  private:
+  uint32_t u_told(unsigned bits, std::string_view name);
+  void fail_truncated(std::string_view name, const std::string& expected, uint64_t left);
+
   std::span<const uint8_t> data_;
   const Trace* trace_;
   uint64_t bit_ = 0;
