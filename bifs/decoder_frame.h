@@ -149,12 +149,13 @@ class FrameDecoder {
   nodes::FieldValue read_value(const nodes::FieldDefinition& field, const ElementCoding& coding,
                                nodes::NodeId script = {}, bool may_predict = true);
   nodes::FieldValue read_element(const nodes::FieldDefinition& field, const ElementCoding& coding);
-  template <class T>
-  void read_elements(std::vector<T>& out, const nodes::FieldDefinition& field,
-                     const ElementCoding& coding);
+  template <class ReadElement, class ReadAll>
+  void read_multiple(size_t element_bytes, ReadElement read_one, ReadAll read_all);
   template <class ReadElement>
   void read_multiple(size_t element_bytes, ReadElement read_one);
   bool read_prediction_flag(const ElementCoding& coding);
+  template <class T>
+  bool read_run(std::vector<T>& out, uint32_t count, const ElementCoding& coding);
   void read_one(bool& value, const ElementCoding& coding);
   void read_one(uint8_t& value, const ElementCoding& coding);
   void read_one(int32_t& value, const ElementCoding& coding);
@@ -172,7 +173,8 @@ class FrameDecoder {
   float read_float(const ElementCoding& coding, size_t component);
   float read_efficient_float();
   QuantizedDirection read_direction(bool has_sign, size_t components, unsigned bits);
-  std::vector<uint8_t> read_bytes(uint64_t count, std::string_view name);
+  template <class Bytes>
+  void read_bytes(Bytes& out, uint64_t count, std::string_view name);
   void read_node_list(std::vector<nodes::NodeId>& out, const nodes::FieldDefinition& field,
                       nodes::NodeId holder);
 

@@ -8,6 +8,7 @@
 
 #include "bifs/coding_quantizer.h"
 #include "bifs/decoder_frame.h"
+#include "bifs/number_run.h"
 
 namespace afx::bifs {
 
@@ -59,11 +60,14 @@ FieldValue FrameDecoder::read_value(const FieldDefinition& field, const ElementC
         if constexpr (std::is_same_v<T, std::vector<NodeId>>) {
           read_node_list(list, field, script);
         } else if constexpr (List<T>) {
-          read_multiple(sizeof(typename ElementOf<T>::type), [&] {
-            typename ElementOf<T>::type element{};
+          using Element = typename ElementOf<T>::type;
+          const auto read_next = [&] {
+            Element element{};
             read_one(element, coding);
             list.push_back(std::move(element));
-          });
+          };
+          const auto read_all = [&](uint32_t count) { return read_run(list, count, coding); };
+          read_multiple(sizeof(Element), read_next, read_all);
         }
       },
       value);
@@ -84,8 +88,11 @@ FieldValue FrameDecoder::read_element(const FieldDefinition& field, const Elemen
 }
 
 /// List or vector form of the elements of an MF field.
-template <class ReadElement>
-void FrameDecoder::read_multiple(size_t element_bytes, ReadElement read_one_element) {
+///
+/// read_all  reads all elements of the vector form at once, if it can
+template <class ReadElement, class ReadAll>
+void FrameDecoder::read_multiple(size_t element_bytes, ReadElement read_one_element,
+                                 ReadAll read_all) {
   if (u(1, "reserved") != 0) {
     warn("reserved_bits", "a list with the reserved bit set, which is taken as empty");
     return;
@@ -95,8 +102,27 @@ void FrameDecoder::read_multiple(size_t element_bytes, ReadElement read_one_elem
     return;
   }
   const uint32_t count = u(u(5, "nbBits"), "count");
-  if (!take(count, element_bytes)) return;
+  if (!take(count, element_bytes) || read_all(count)) return;
   for (uint32_t i = 0; i < count && ok(); ++i) read_one_element();
+}
+
+template <class ReadElement>
+void FrameDecoder::read_multiple(size_t element_bytes, ReadElement read_one_element) {
+  read_multiple(element_bytes, read_one_element, [](uint32_t) { return false; });
+}
+
+/// Elements that are numbers of one width, into memory that is asked for when they are known to be
+/// there; false where they are not, or not such.
+template <class T>
+bool FrameDecoder::read_run(std::vector<T>& out, uint32_t count, const ElementCoding& coding) {
+  const std::optional<unsigned> width = number_width<T>(coding);
+  const uint64_t numbers = uint64_t{count} * kNumbersIn<T>;
+  if (!width || !in_->has_run(numbers, *width)) return false;
+  codec::BitReader::Run run = in_->run(numbers, *width);
+  out.resize(count);
+  if constexpr (kNumbersIn<T> != 0)
+    for (T& element : out) from_numbers(element, coding, [&] { return run.u(); });
+  return true;
 }
 
 bool FrameDecoder::read_prediction_flag(const ElementCoding& coding) {
@@ -188,8 +214,7 @@ void FrameDecoder::read_one(nodes::Rotation& value, const ElementCoding& coding)
 /// A string's length and bytes; what the bytes mean is the definition's affair.
 void FrameDecoder::read_one(std::string& value, const ElementCoding&) {
   const uint32_t length = u(u(5, "nbBits"), "length");
-  const std::vector<uint8_t> bytes = read_bytes(length, "SFString");
-  value.assign(bytes.begin(), bytes.end());
+  read_bytes(value, length, "SFString");
 }
 
 void FrameDecoder::read_one(nodes::Url& value, const ElementCoding& coding) {
@@ -208,7 +233,7 @@ void FrameDecoder::read_one(nodes::Image& value, const ElementCoding&) {
   if (pixels > state_.limits.picture_pixels)
     return fail(Errc::limit_exceeded, "an image of more pixels than the limit picture_pixels, " +
                                           std::to_string(state_.limits.picture_pixels));
-  value.samples = read_bytes(pixels * value.components, "pixel");
+  read_bytes(value.samples, pixels * value.components, "pixel");
 }
 
 void FrameDecoder::read_one(nodes::CommandBuffer& value, const ElementCoding&) {
@@ -218,7 +243,8 @@ void FrameDecoder::read_one(nodes::CommandBuffer& value, const ElementCoding&) {
   if (buffer_depth_ >= kMaxBufferDepth)
     return fail(Errc::limit_exceeded,
                 "command buffers nested deeper than " + std::to_string(kMaxBufferDepth));
-  auto bytes = std::make_shared<const std::vector<uint8_t>>(read_bytes(length, "buffer"));
+  auto bytes = std::make_shared<std::vector<uint8_t>>();
+  read_bytes(*bytes, length, "buffer");
   auto commands = std::make_shared<BufferedCommands>();
   value.content = commands;
   const uint64_t begin = in_->bit() - uint64_t{length} * 8;
@@ -260,17 +286,17 @@ QuantizedDirection FrameDecoder::read_direction(bool has_sign, size_t components
   return direction;
 }
 
-std::vector<uint8_t> FrameDecoder::read_bytes(uint64_t count, std::string_view name) {
+/// Bytes into a string or a byte vector, which stays empty where they are not there.
+template <class Bytes>
+void FrameDecoder::read_bytes(Bytes& out, uint64_t count, std::string_view name) {
   if (ok() && count > in_->bits_left() / 8)
     fail(Errc::truncated, "the data end inside " + std::string(name) + " (expected " +
                               std::to_string(count) + " bytes, " +
                               std::to_string(in_->bits_left() / 8) + " are left)");
-  std::vector<uint8_t> bytes;
-  if (!take(0, 0) || count == 0 || !take(0, 1)) return bytes;
+  if (!take(0, 0) || count == 0 || !take(0, 1)) return;
   bytes_taken_ += count;  // at most the size of the input
-  bytes.reserve(count);
-  for (uint64_t i = 0; i < count; ++i) bytes.push_back(static_cast<uint8_t>(u(8, name)));
-  return bytes;
+  out.resize(count);
+  in_->bytes({reinterpret_cast<uint8_t*>(out.data()), out.size()}, name);
 }
 
 }  // namespace afx::bifs

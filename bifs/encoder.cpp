@@ -65,8 +65,12 @@ void FrameEncoder::put_sized(uint64_t value, unsigned size_bits) {
   put(value, bits_for(value));
 }
 
+void FrameEncoder::put_bytes(std::span<const uint8_t> bytes) {
+  if (ok()) out_->writer.bytes(bytes);
+}
+
 void FrameEncoder::put_name(std::string_view name) {
-  for (const char c : name) put(static_cast<unsigned char>(c), 8);
+  put_bytes({reinterpret_cast<const uint8_t*>(name.data()), name.size()});
   put(0, 8);
 }
 

@@ -3,6 +3,7 @@
 //
 // Source: ISO/IEC 14496-11, BIFS commands (clauses not checked); spec/bifs.md 3 to 5 and 11.
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "bifs/command_codes.h"
@@ -19,12 +20,64 @@ using nodes::NodeDefinition;
 using nodes::NodeId;
 using nodes::Route;
 
+namespace {
+
+/// What the coding of a value has besides its elements: more than enough of it.
+constexpr size_t kAround = 16;
+
+size_t size_in_memory(const auto&) { return 0; }
+size_t size_in_memory(const std::string& v) { return v.size(); }
+size_t size_in_memory(const nodes::Url& v) { return v.text.size(); }
+size_t size_in_memory(const nodes::Image& v) { return v.samples.size(); }
+template <class T>
+size_t size_in_memory(const std::vector<T>& list) {
+  if constexpr (std::is_trivially_copyable_v<T>) return list.size() * sizeof(T);
+  size_t size = list.size() * kAround;
+  for (const T& element : list) size += size_in_memory(element);
+  return size;
+}
+
+/// Bytes that are enough for the value in most frames, and not far too many: elements take no more
+/// bits than in memory, but for the list form.
+size_t expected_bytes(const FieldValue& value) {
+  return kAround + std::visit([](const auto& v) { return size_in_memory(v); }, value);
+}
+
+/// The same for the values that a command itself has.
+size_t expected_bytes(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        size_t size = 0;
+        if constexpr (requires { c.value; }) size += expected_bytes(c.value);
+        if constexpr (requires { c.values; })
+          for (const auto& entry : c.values) size += expected_bytes(entry.value);
+        return size;
+      },
+      command);
+}
+
+}  // namespace
+
+/// Asks for the memory of what a command will take, so that a frame does not grow by copying while
+/// all its values are held. Memory that is not written to costs nothing.
+void FrameEncoder::reserve(const Command& written) {
+  size_t size = out_->bytes.size() + expected_bytes(written);
+  for (const uint32_t node : fresh_) {
+    size += kAround;
+    for (const nodes::FieldEntry& entry : scene_->node(NodeId{node}).values)
+      size += expected_bytes(entry.value);
+  }
+  const size_t capacity = out_->bytes.capacity();
+  if (size > capacity) out_->bytes.reserve(std::max(size, 2 * capacity));
+}
+
 void FrameEncoder::command(const Command& written) {
   if (!ok()) return;
   if (out_->commands++ > 0) put_flag(true);  // moreCommands
   const Part part(*this, command_name(written));
   if (std::holds_alternative<SceneReplacement>(written) && out_ == &frame_) known_.clear();
   NodeSet outer = std::exchange(fresh_, new_nodes(*scene_, written, known_));
+  reserve(written);
   std::visit([&](const auto& c) { write(c); }, written);
   fresh_ = std::move(outer);
 }

@@ -52,12 +52,14 @@ class FrameEncoder {
   void put(uint64_t value, unsigned bits);
   void put_flag(bool value) { put(value ? 1 : 0, 1); }
   void put_sized(uint64_t value, unsigned size_bits = 5);
+  void put_bytes(std::span<const uint8_t> bytes);
   void put_name(std::string_view name);
   void fail(Errc code, const std::string& text);
   [[nodiscard]] bool ok() const { return !error_.has_value(); }
 
   // encoder_commands.cpp
   void command(const Command& command);
+  void reserve(const Command& command);
   void write(const NodeInsertion& c);
   void write(const IndexedValueInsertion& c);
   void write(const RouteInsertion& c);
@@ -112,8 +114,12 @@ class FrameEncoder {
              const nodes::FieldValue& value, nodes::NodeId script = {}, bool may_predict = true);
   void element(const nodes::FieldDefinition& field, const ElementCoding& coding,
                const nodes::FieldValue& value);
+  template <class WriteElement, class WriteAll>
+  void multiple(size_t count, WriteElement write_one, WriteAll write_all);
   template <class WriteElement>
   void multiple(size_t count, WriteElement write_one);
+  template <class T>
+  bool put_run(const std::vector<T>& list, const ElementCoding& coding);
   void one(bool v, const ElementCoding& coding);
   void one(uint8_t v, const ElementCoding& coding);
   void one(int32_t v, const ElementCoding& coding);

@@ -9,6 +9,7 @@
 
 #include "bifs/encoder_frame.h"
 #include "bifs/node_codes.h"
+#include "bifs/number_run.h"
 
 namespace afx::bifs {
 
@@ -60,7 +61,9 @@ void FrameEncoder::value(const FieldDefinition& field, const ElementCoding& codi
           multiple(list.size(),
                    [&](size_t i) { script(i == 0 ? script_node : NodeId{}, list[i]); });
         } else if constexpr (kIsList<T>) {
-          multiple(list.size(), [&](size_t i) { one(list[i], coding); });
+          multiple(
+              list.size(), [&](size_t i) { one(list[i], coding); },
+              [&] { return put_run(list, coding); });
         }
       },
       written);
@@ -79,19 +82,39 @@ void FrameEncoder::element(const FieldDefinition& field, const ElementCoding& co
       written);
 }
 
-template <class WriteElement>
-void FrameEncoder::multiple(size_t count, WriteElement write_one) {
+/// write_all  writes all elements of the vector form at once, if it can
+template <class WriteElement, class WriteAll>
+void FrameEncoder::multiple(size_t count, WriteElement write_one, WriteAll write_all) {
   put_flag(false);  // reserved
   const bool as_list =
       options_.lists == EncodeOptions::Form::list ||
       (options_.lists == EncodeOptions::Form::shorter && bits_for(count) + 5 > count + 1);
   put_flag(as_list);
   if (!as_list) put_sized(count);
+  if (!as_list && ok() && write_all()) return;
   for (size_t i = 0; i < count && ok(); ++i) {
     if (as_list) put_flag(false);  // endFlag
     write_one(i);
   }
   if (as_list) put_flag(true);
+}
+
+template <class WriteElement>
+void FrameEncoder::multiple(size_t count, WriteElement write_one) {
+  multiple(count, write_one, [] { return false; });
+}
+
+/// Elements that are numbers of one width; false where they are not, or the quantizer cannot hold
+/// one of them.
+template <class T>
+bool FrameEncoder::put_run(const std::vector<T>& list, const ElementCoding& coding) {
+  const std::optional<unsigned> width = number_width<T>(coding);
+  if (!width || !fit_numbers(list, coding)) return false;
+  codec::BitWriter::Run run(out_->writer, list.size() * kNumbersIn<T>, *width);
+  if constexpr (kNumbersIn<T> != 0)
+    for (const T& element : list)
+      to_numbers(element, coding, [&](uint32_t number) { run.u(number); });
+  return true;
 }
 
 /// Elements of a list of nodes: a QuantizationParameter among them counts for those behind it.
@@ -151,7 +174,7 @@ void FrameEncoder::one(double v, const ElementCoding&) { put(std::bit_cast<uint6
 
 void FrameEncoder::one(const std::string& v, const ElementCoding&) {
   put_sized(v.size());
-  for (const char c : v) put(static_cast<unsigned char>(c), 8);
+  put_bytes({reinterpret_cast<const uint8_t*>(v.data()), v.size()});
 }
 
 void FrameEncoder::one(const nodes::Url& v, const ElementCoding& coding) {
@@ -201,7 +224,7 @@ void FrameEncoder::one(const nodes::Image& v, const ElementCoding&) {
   put(v.height, 12);
   // An image of nothing is said to have four components, as the peer has it.
   put(v.components == 0 ? kMaxComponents - 1 : v.components - 1, 2);
-  for (const uint8_t sample : v.samples) put(sample, 8);
+  put_bytes(v.samples);
 }
 
 /// A command buffer is a frame of its own, coded without a quantizer.
@@ -220,7 +243,7 @@ void FrameEncoder::one(const nodes::CommandBuffer& v, const ElementCoding&) {
   quantizer_ = quantizer;
   out_ = outer;
   put_sized(inner.bytes.size());
-  for (const uint8_t byte : inner.bytes) put(byte, 8);
+  put_bytes(inner.bytes);
 }
 
 void FrameEncoder::one(NodeId, const ElementCoding&) {}
