@@ -119,10 +119,8 @@ Result<Media> import_track(MappedFile mapped, uint32_t id, const Limits& limits,
   media.track = *track;
   media.track.id = 0;
   media.track.references.clear();
-  const uint32_t timescale = bifs::Mp4Movie{}.timescale;
   for (bifs::Mp4Edit& edit : media.track.edits)
-    edit.duration = bifs::rescale(edit.duration, movie.value().timescale, timescale);
-  media.track.duration = bifs::rescale(media.track.duration, movie.value().timescale, timescale);
+    edit.duration = bifs::rescale(edit.duration, movie.value().timescale, track->timescale);
   media.bytes = [file, track, limits](size_t sample) {
     return bifs::read_sample(bifs::mp4_source(file->bytes()), *track, sample, limits);
   };

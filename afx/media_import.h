@@ -28,8 +28,7 @@ inline constexpr uint32_t kFrameMilliseconds = 40;
 ///   OctreeImage stream (.afx)     a sample for each frame, in milliseconds: the header and that
 ///                                 frame, so that each is a whole stream
 ///   "scene.mp4#20"                track 20 of an MP4 file, with its sample entries, times and
-///   edits
-///                                 (in the timescale that a new Mp4Movie has)
+///                                 edits
 ///   SC3DMC                        told by the ending .s3d or by the format "SC3DMC"; one sample,
 ///   the
 ///                                 whole file, which is not looked at

@@ -150,8 +150,8 @@ TEST_F(MediaImport, TimesEntriesAndEditsOfATrackAreKept) {
   EXPECT_EQ(media.track.timescale, 50U);
   EXPECT_EQ(media.track.entries[0].head, track.entries[0].head);
   EXPECT_EQ(media.bytes(1).value(), (Bytes{3}));
-  // One second in the timescale 1200, in that of a new movie 600.
-  EXPECT_EQ(media.track.edits, (std::vector<bifs::Mp4Edit>{{600, 10, 0x10000}}));
+  // One second in the movie's timescale 1200, in the track's 50.
+  EXPECT_EQ(media.track.edits, (std::vector<bifs::Mp4Edit>{{50, 10, 0x10000}}));
 }
 
 TEST_F(MediaImport, WhatCannotBeImportedIsToldWithItsFile) {

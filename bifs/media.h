@@ -15,7 +15,7 @@ namespace afx::bifs {
 /// The access units of one elementary stream, wherever they are.
 struct Media {
   /// All but the track's ID and its references to others. Samples have size, time and duration;
-  /// their offset means nothing.
+  /// their offset means nothing. Durations of edits count in the track's own timescale.
   Mp4Track track;
   /// The bytes of a sample, by its place in track.samples.
   std::function<Result<std::vector<uint8_t>>(size_t sample)> bytes;

@@ -159,7 +159,10 @@ class Mp4PresentationWriter::State {
     Result<Media> media = options_.load_media(*es.source);
     if (!media.ok()) return media.error();
     media.value().track.id = es.es_id;
-    keep_stream_fields(es, media.value().track);
+    Mp4Track& track = media.value().track;
+    for (Mp4Edit& edit : track.edits)
+      edit.duration = rescale(edit.duration, track.timescale, builder_.movie.timescale);
+    keep_stream_fields(es, track);
     builder_.add_media(std::move(media).value());
     media_ids_.push_back(es.es_id);
     sources_.push_back(*es.source);
