@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "nodes/definitions.h"
 #include "nodes/scene_reader.h"
@@ -84,6 +86,39 @@ TEST(SceneMemory, ListsAreNeverHeldTwice) {
   EXPECT_LT(
       peak_of(repeated("OctreeImage { octree [ # 1 2 3 ]\n", "200 # 1 2 3 4\n", kCount, "] }")),
       kCount * 4 + kSmall);
+}
+
+TEST(SceneMemory, LongListsAreCountedExactly) {
+  // One value more than the limit is refused, though the list is counted in parts, and numbers lie
+  // across their borders.
+  for (const char* const number : {"7 ", "12345,", "-1234567\n", "7 # 8 9 ]\n"}) {
+    const std::string text = repeated("OctreeImage { octree [", number, 100'000, "] }");
+    Diagnostics diagnostics;
+    Limits limits;
+    limits.scene_values = 100'002;  // the node and its field count too
+    EXPECT_TRUE(read_scene_text(text, limits, diagnostics).ok()) << number;
+    --limits.scene_values;
+    EXPECT_FALSE(read_scene_text(text, limits, diagnostics).ok()) << number;
+  }
+}
+
+TEST(SceneMemory, ToldHowFarTheTextHasBeenReadAboutOnceInAMegabyte) {
+  const std::string text =
+      repeated("OctreeImage { octree [", "200 ", kCount, "] voxelImageIndex [1 2] }");
+  std::vector<size_t> offsets;
+  SceneReadOptions options;
+  options.passed = [&offsets](size_t offset) { offsets.push_back(offset); };
+  Diagnostics diagnostics;
+  const auto scene = read_scene_text(text, {}, diagnostics, options);
+  ASSERT_TRUE(scene.ok());
+  // The list is counted, then read; each time its 6 MB are told of.
+  const size_t megabytes = text.size() >> 20;
+  EXPECT_GE(offsets.size(), 2 * (megabytes - 1));
+  EXPECT_LE(offsets.size(), 2 * (megabytes + 1));
+  EXPECT_EQ(std::count_if(offsets.begin() + 1, offsets.end(),
+                          [&](size_t& offset) { return offset < *(&offset - 1); }),
+            1);
+  for (const size_t offset : offsets) EXPECT_LE(offset, text.size());
 }
 
 TEST(SceneMemory, ListsThatAreNotThereTakeNothing) {

@@ -61,7 +61,7 @@ SceneTextReader::Depth::Depth(SceneTextReader& reader) : reader_(reader) {
 SceneTextReader::SceneTextReader(std::string_view text, const Limits& limits,
                                  Diagnostics& diagnostics, const SceneReadOptions& options)
     : limits_(limits),
-      in_(text, diagnostics),
+      in_(text, diagnostics, &options.passed),
       values_(in_, limits, options.load_file),
       like_gpac_(options.like_gpac) {
   in_.keep_double_backslashes(like_gpac_);

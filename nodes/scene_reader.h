@@ -19,6 +19,11 @@ struct SceneReadOptions {
   std::function<Result<std::string>(std::string_view name)> load_file;
   /// Read strings as GPAC does: two backslashes stay two. (VRML97: they are one.)
   bool like_gpac = false;
+  /// Hears, about once in a megabyte, that everything before an offset of the text has been read
+  /// over: it may be dropped from memory (MappedFile::let_go). It must still be there for reading
+  /// again, though that may be slow: lists are counted before they are read, and an error looks
+  /// back. So the offset may also go back.
+  std::function<void(size_t offset)> passed;
 };
 
 /// Reads a scene from text in VRML97 node syntax, as .wrl files and MPEG-4 BT files have it.

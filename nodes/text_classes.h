@@ -39,11 +39,11 @@ constexpr bool is_delimiter(char c) { return has_class(c, kDelimiterChar); }
 constexpr bool is_word_char(char c) { return has_class(c, kWordChar); }
 constexpr bool is_word_begin(char c) { return has_class(c, kWordBegin); }
 
-/// The number of runs of characters that are not white space, for text without comments. Written so
-/// that compilers vectorise it: it goes over a list before the list is read.
-inline size_t count_tokens(const char* at, const char* end) {
+/// The number of runs of characters that are not white space and begin in a text without comments;
+/// before: whether white space is before it. Written so that compilers vectorise it: it goes over a
+/// list before the list is read.
+inline size_t count_tokens(const char* at, const char* end, bool before) {
   size_t count = 0;
-  bool before = true;
   while (at != end) {
     const auto length =
         static_cast<size_t>(end - at) < 4096 ? static_cast<size_t>(end - at) : size_t{4096};

@@ -17,6 +17,8 @@ constexpr std::string_view kKeywords[] = {"DEF",     "EXTERNPROTO", "FALSE", "IS
                                           "eventIn", "eventOut",    "field", "exposedField"};
 
 constexpr size_t kShownBytes = 40;
+constexpr ptrdiff_t kProgress = ptrdiff_t{1} << 20;  // bytes from one note to the next
+constexpr ptrdiff_t kPart = ptrdiff_t{1} << 15;      // of a list, small enough for the cache
 
 }  // namespace
 
@@ -36,10 +38,12 @@ bool is_identifier(std::string_view name) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), name) == std::end(kKeywords);
 }
 
-TextCursor::TextCursor(std::string_view text, Diagnostics& diagnostics)
+TextCursor::TextCursor(std::string_view text, Diagnostics& diagnostics, const Passed* passed)
     : text_(text),
       at_(text.data()),
       end_(text.data() + text.size()),
+      next_note_(std::min(end_ - at_, kProgress) + at_),
+      passed_(passed != nullptr && *passed ? passed : nullptr),
       diagnostics_(&diagnostics),
       places_(text) {}
 
@@ -61,6 +65,7 @@ bool TextCursor::at_end() {
 }
 
 bool TextCursor::accept(char c) {
+  note_progress();
   skip_space();
   if (at_ == end_ || *at_ != c) return false;
   ++at_;
@@ -164,19 +169,38 @@ void TextCursor::check_utf8(std::string_view bytes, size_t offset) {
 }
 
 size_t TextCursor::count_tokens_in_list() const {
-  const size_t left = bytes_left();
-  const void* const close = std::memchr(at_, ']', left);
-  const char* stop = close != nullptr ? static_cast<const char*>(close) : end_;
-  if (std::memchr(at_, '#', static_cast<size_t>(stop - at_)) == nullptr)
-    return count_tokens(at_, stop);
-  size_t count = 0;  // comments: line by line, and the `]` may have been in one
-  for (const char* at = at_; at != end_;) {
-    stop = std::find_if(at, end_, [](char c) { return c == '#' || c == ']'; });
-    count += count_tokens(at, stop);
-    if (stop == end_ || *stop == ']') break;
-    at = std::find_if(stop, end_, [](char c) { return c == '\n' || c == '\r'; });
+  size_t count = 0;
+  const char* told = at_;
+  for (const char* at = at_; at != end_ && *at != ']';) {
+    at = count_in_part(at, std::min(end_ - at, kPart) + at, count);
+    if (passed_ == nullptr || at - told < kProgress) continue;
+    (*passed_)(static_cast<size_t>(at - text_.data()));
+    told = at;
   }
   return count;
+}
+
+/// Counts the tokens that begin before `stop` or the first `]`, or, where there are comments,
+/// before the end of the one that goes on behind `stop`; how far it came.
+const char* TextCursor::count_in_part(const char* at, const char* stop, size_t& count) const {
+  const auto find = [&](char c) { return std::memchr(at, c, static_cast<size_t>(stop - at)); };
+  const auto add = [&](const char* end) {
+    count += count_tokens(at, end, at == text_.data() || is_delimiter(at[-1]));
+    at = end;
+  };
+  if (const void* const close = find(']'); close != nullptr) stop = static_cast<const char*>(close);
+  if (find('#') == nullptr) return add(stop), stop;
+  while (at < stop) {  // line by line; the `]` may have been in a comment
+    add(std::find(at, stop, '#'));
+    if (at != stop) at = std::find_if(at, end_, [](char c) { return c == '\n' || c == '\r'; });
+  }
+  return at;
+}
+
+void TextCursor::tell_passed() {
+  if (passed_ == nullptr || at_ == end_) return;
+  (*passed_)(offset());
+  next_note_ = std::min(end_ - at_, kProgress) + at_;
 }
 
 void TextCursor::fail(Errc code, size_t offset, std::string text) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,7 +21,11 @@ namespace afx::nodes {
 /// that every loop ends as it does there, and later failures are not noted.
 class TextCursor {
  public:
-  TextCursor(std::string_view text, Diagnostics& diagnostics);
+  /// Hears, about once in a megabyte, up to which offset the text has been gone over.
+  using Passed = std::function<void(size_t offset)>;
+
+  /// passed  may be empty; must live as long as the cursor
+  TextCursor(std::string_view text, Diagnostics& diagnostics, const Passed* passed = nullptr);
 
   [[nodiscard]] bool ok() const { return ok_; }
   [[nodiscard]] const Error& error() const { return error_; }
@@ -81,6 +86,11 @@ class TextCursor {
   /// length of a list. Takes nothing.
   [[nodiscard]] size_t count_tokens_in_list() const;
 
+  /// Tells how far the text has been gone over, if it is time to; for the loops over long lists.
+  void note_progress() {
+    if (at_ >= next_note_) tell_passed();
+  }
+
   /// Notes a failure at an offset.
   void fail(Errc code, size_t offset, std::string text);
   /// Notes that something else stands here than `expected`, e.g. "a number".
@@ -98,6 +108,8 @@ class TextCursor {
 
  private:
   void skip_comments();
+  void tell_passed();
+  const char* count_in_part(const char* at, const char* stop, size_t& count) const;
   template <class T>
   T float_number();
   template <class T>
@@ -108,6 +120,8 @@ class TextCursor {
   std::string_view text_;
   const char* at_;
   const char* end_;
+  const char* next_note_;  // where the next progress is told, at the latest at the end
+  const Passed* passed_;
   bool ok_ = true;
   bool double_backslashes_ = false;
   Error error_;

@@ -56,6 +56,7 @@ std::vector<T> ValueReader::read_list() {
         !budget_.take(in_, list.size() + 1, sizeof(T)))
       return {};
     read_one(list.emplace_back());
+    in_.note_progress();
   }
   in_.accept(']');
   return list;
@@ -191,6 +192,7 @@ void ValueReader::read_pixels(Image& image) {
   image.samples.resize(pixels * image.components);
   uint8_t* out = image.samples.data();
   for (uint64_t i = 0; i < pixels && in_.ok(); ++i) {
+    in_.note_progress();
     in_.skip_space();
     const size_t begin = in_.offset();
     const uint32_t pixel = in_.uint32();
