@@ -11,7 +11,7 @@ endforeach()
 target_include_directories(afx INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/afx>)
 target_compile_features(afx INTERFACE cxx_std_20)
-target_link_libraries(afx PUBLIC glm::glm Threads::Threads ${CMAKE_DL_LIBS})
+target_link_libraries(afx PUBLIC glm::glm Threads::Threads ${CMAKE_DL_LIBS} PRIVATE pugixml::pugixml)
 
 install(TARGETS afx EXPORT afx-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS afx_pictures LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/afx)
