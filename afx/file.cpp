@@ -277,6 +277,16 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
 
 MappedFile::~MappedFile() { release(); }
 
+void MappedFile::let_go(size_t bytes) const {
+  if (!mapped_) return;
+  static const auto kPageBytes = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  const size_t pages = std::min(bytes, bytes_.size()) / kPageBytes;
+  // A hint: what the system does with it cannot be wrong. madvise takes the address as mmap gave
+  // it.
+  if (pages > 0)
+    (void)::madvise(const_cast<uint8_t*>(bytes_.data()), pages * kPageBytes, MADV_DONTNEED);
+}
+
 void MappedFile::release() {
   // munmap takes the address as it was given; nothing is written through it.
   if (mapped_) ::munmap(const_cast<uint8_t*>(bytes_.data()), bytes_.size());

@@ -45,6 +45,10 @@ class MappedFile {
   /// Valid as long as this object.
   [[nodiscard]] std::span<const uint8_t> bytes() const { return bytes_; }
 
+  /// Lets the first `bytes` bytes go from this process's memory, as far as they are whole pages of
+  /// a mapping. They stay readable and come back when they are read.
+  void let_go(size_t bytes) const;
+
  private:
   MappedFile() = default;
   static Result<MappedFile> map(int fd, const std::string& path, bool whole, const Limits& limits);

@@ -9,11 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <fstream>
 #include <string>
 #include <thread>
 
 #include "afx/file_test_folder.h"
+#include "nodes/scene.h"
+#include "nodes/scene_reader.h"
 
 namespace afx {
 namespace {
@@ -98,6 +102,61 @@ TEST(MappedFile, KeepsWhatIsReadWholeToTheLimitOfMemory) {
   EXPECT_EQ(endless.error().code, Errc::limit_exceeded);
   const TestFolder folder;  // a mapping costs no memory
   EXPECT_TRUE(MappedFile::open(folder.write("a", "12345"), {.memory = 4}).ok());
+}
+
+/// Bytes of files that are in this process's memory, from /proc/self/statm.
+size_t resident_file_bytes() {
+  std::ifstream file("/proc/self/statm");
+  size_t size = 0, resident = 0, shared = 0;
+  file >> size >> resident >> shared;
+  return shared * static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Reads a scene from a mapped text. Returns the most bytes of files that were seen in memory on
+/// the way, beyond those before.
+size_t peak_of_reading(const MappedFile& file, bool let_go, nodes::Scene& scene) {
+  const size_t before = resident_file_bytes();
+  size_t peak = before;
+  nodes::SceneReadOptions options;
+  options.passed = [&](size_t offset) {
+    peak = std::max(peak, resident_file_bytes());
+    if (let_go) file.let_go(offset);
+  };
+  Diagnostics diagnostics;
+  const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()),
+                              file.bytes().size());
+  auto read = nodes::read_scene_text(text, {}, diagnostics, options);
+  EXPECT_TRUE(read.ok());
+  if (read.ok()) scene = std::move(read).value();
+  return peak - before;
+}
+
+TEST(MappedFile, WhatWasLetGoStaysReadable) {
+  const TestFolder folder;
+  const std::string text = std::string(100000, 'a') + "end";
+  const auto file = MappedFile::open(folder.write("a", text));
+  ASSERT_TRUE(file.ok());
+  for (const size_t bytes : {size_t{0}, size_t{1}, size_t{5000}, text.size(), SIZE_MAX}) {
+    file.value().let_go(bytes);
+    EXPECT_EQ(text_of(file.value()), text);
+  }
+}
+
+TEST(MappedFile, ALongTextIsReadWithLittleOfItInMemory) {
+  constexpr size_t kMegabyte = size_t{1} << 20;
+  std::string text = "OctreeImage { octree [";
+  while (text.size() < 20 * kMegabyte) text += "200 7 31 255 ";
+  text += "] }";
+  const TestFolder folder;
+  const auto file = MappedFile::open(folder.write("a", text));
+  ASSERT_TRUE(file.ok());
+  const auto small = MappedFile::open(folder.write("b", "OctreeImage { octree [200] }"));
+  ASSERT_TRUE(small.ok());
+  nodes::Scene first, kept, let_go;
+  (void)peak_of_reading(small.value(), true, first);  // the program's own code is in memory then
+  EXPECT_LT(peak_of_reading(file.value(), true, let_go), 8 * kMegabyte);
+  EXPECT_GT(peak_of_reading(file.value(), false, kept), 16 * kMegabyte);
+  EXPECT_TRUE(equal(kept, let_go));
 }
 
 TEST(MappedFile, OpenRegularTakesFilesOnlyAndWaitsForNothing) {
