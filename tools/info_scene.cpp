@@ -99,7 +99,7 @@ Json describe_track(const bifs::Mp4Track& track) {
   uint64_t bytes = 0;
   for (const bifs::Mp4Sample& sample : track.samples) bytes += sample.size;
   Json out{{"id", track.id},
-           {"handler", to_string(track.handler)},
+           {"handler", bifs::to_string(track.handler)},
            {"stream", stream_kind(config)},
            {"timescale", track.timescale},
            {"accessUnits", track.samples.size()},
@@ -111,7 +111,7 @@ Json describe_track(const bifs::Mp4Track& track) {
     if (!info.empty()) out["afxObjectCode"] = info[0];
   }
   for (const bifs::Mp4Reference& reference : track.references)
-    out["references_" + to_string(reference.type)] = reference.tracks;
+    out["references_" + bifs::to_string(reference.type)] = reference.tracks;
   return out;
 }
 

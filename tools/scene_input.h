@@ -23,10 +23,10 @@ struct CodedScene {
 Result<CodedScene> open_coded_scene(const Input& input, const Limits& limits,
                                     Diagnostics& diagnostics, const codec::Trace* trace = nullptr);
 
-/// Reads a text scene with its descriptors and commands. Errors: those of read_bt and read_xmt,
-/// with the file.
+/// Reads a text scene with its descriptors and commands; like_gpac: BT as MP4Box reads it. Errors:
+/// those of read_bt and read_xmt, with the file.
 Result<bifs::Presentation> read_presentation(const Input& input, const Limits& limits,
-                                             Diagnostics& diagnostics);
+                                             Diagnostics& diagnostics, bool like_gpac = false);
 
 /// A scene and what its urls lead to. Can be moved; `input` must outlive it.
 struct LoadedScene {
