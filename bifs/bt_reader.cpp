@@ -220,7 +220,7 @@ void BtTextReader::begin_epoch() {
 void BtTextReader::end_epoch() {
   read_buffers();
   if (!in_.ok()) return;
-  assign_node_ids(scene_, epoch_);
+  assign_node_ids(scene_, like_gpac_ ? NodeId{uint32_t{0}} : epoch_);  // GPAC goes on counting
   assign_proto_ids(scene_);
 }
 

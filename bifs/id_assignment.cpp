@@ -3,7 +3,6 @@
 #include "bifs/id_assignment.h"
 
 #include <charconv>
-#include <vector>
 
 namespace afx::bifs {
 
@@ -36,30 +35,25 @@ std::optional<uint32_t> id_of_name(char letter, std::string_view name) {
   return number ? std::optional(*number + 1) : std::nullopt;
 }
 
+uint32_t TakenIds::next(std::optional<uint32_t> wanted) {
+  if (wanted && !taken_.contains(*wanted)) return *wanted;
+  while (taken_.contains(next_)) ++next_;
+  return next_;
+}
+
 uint32_t TakenIds::take_new(std::optional<uint32_t> wanted) {
-  if (wanted && taken_.insert(*wanted).second) return *wanted;
-  while (!taken_.insert(next_).second) ++next_;
-  return next_++;
+  const uint32_t id = next(wanted);
+  take(id);
+  return id;
 }
 
 void assign_node_ids(nodes::Scene& scene, NodeId first) {
-  std::vector<TakenIds> taken(scene.scope_count());  // since `first`
-  std::vector<TakenIds> ever(scene.scope_count());
-  for (NodeId id{uint32_t{0}}; id.value < scene.node_count(); ++id.value) {
-    const nodes::Node& node = scene.node(id);
-    if (node.id == 0) continue;
-    ever[node.scope.value].take(node.id);
-    if (id >= first) taken[node.scope.value].take(node.id);
-  }
+  std::map<nodes::ScopeId, TakenIds> taken;
   for (NodeId id = first; id.value < scene.node_count(); ++id.value) {
     nodes::Node& node = scene.node(id);
-    if (node.name.empty() || node.id != 0) continue;
-    const size_t scope = node.scope.value;
-    const std::optional<uint32_t> wanted = id_of_name('N', node.name);
-    const bool free = wanted && !taken[scope].is_taken(*wanted);
-    node.id = free ? *wanted : ever[scope].take_new(std::nullopt);
-    taken[scope].take(node.id);
-    ever[scope].take(node.id);
+    TakenIds& of_scope = taken[node.scope];
+    if (node.id == 0 && !node.name.empty()) node.id = of_scope.next(id_of_name('N', node.name));
+    if (node.id != 0) of_scope.take(node.id);
   }
 }
 

@@ -24,9 +24,10 @@ std::optional<uint32_t> id_of_name(char letter, std::string_view name);
 class TakenIds {
  public:
   void take(uint32_t id) { taken_.insert(id); }
-  /// Takes an ID: the wanted one if it is free, otherwise the smallest free one, from 1.
+  /// The wanted ID if it is free, otherwise the smallest free one, from 1. Takes nothing.
+  uint32_t next(std::optional<uint32_t> wanted);
+  /// Takes that.
   uint32_t take_new(std::optional<uint32_t> wanted);
-  [[nodiscard]] bool is_taken(uint32_t id) const { return taken_.contains(id); }
 
  private:
   std::set<uint32_t> taken_;
@@ -35,11 +36,10 @@ class TakenIds {
 
 /// Gives IDs to the nodes that have a DEF name and none yet, in the order of their numbers, scope
 /// by scope: that of the name (N<k>) if it is free there, otherwise the smallest free one. IDs that
-/// nodes have already are taken from the start.
+/// nodes have already are taken from there on.
 ///
-/// first  the nodes before it belong to a scene that a scene replacement dropped: they are left
-///        alone, and their IDs are free for names that ask for them (N<k>); other names get new
-///        ones
+/// first  the nodes before it are left alone and their IDs count as free: they belong to a scene
+///        that a scene replacement dropped
 void assign_node_ids(nodes::Scene& scene, nodes::NodeId first = nodes::NodeId{uint32_t{0}});
 
 /// Gives IDs to the PROTOs that have none yet, in the order of their declaration; no two PROTOs of

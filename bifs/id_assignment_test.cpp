@@ -55,15 +55,25 @@ TEST(NodeIds, AreThoseThatTheNamesStandForWhereTheyAreFree) {
   EXPECT_EQ(ids_of({"a", "N0", "b"}), (std::vector<uint32_t>{1, 2, 3}));
 }
 
-TEST(NodeIds, LeaveOutThoseThatNodesHaveAlready) {
+TEST(NodeIds, LeaveOutThoseThatNodesBeforeHaveAlready) {
   Scene scene;
-  const NodeId a = add_named(scene, "a");
-  const NodeId b = add_named(scene, "N1");
   scene.node(scene.add("Group").value()).id = 1;
-  scene.node(add_named(scene, "c")).id = 2;
+  const NodeId a = add_named(scene, "a");
+  scene.node(add_named(scene, "b")).id = 3;
+  const NodeId c = add_named(scene, "N2");
   assign_node_ids(scene);
-  EXPECT_EQ(scene.node(a).id, 3U);
-  EXPECT_EQ(scene.node(b).id, 4U);
+  EXPECT_EQ(scene.node(a).id, 2U);
+  EXPECT_EQ(scene.node(c).id, 4U);
+}
+
+TEST(NodeIds, MayBeGivenAgainByWhoeverSaysThem) {
+  Scene scene;
+  const NodeId gone = add_named(scene, "N0");
+  const NodeId later = add_named(scene, "N0_2");
+  scene.node(later).id = 1;  // as an update of a stream does that inserts where it has deleted
+  assign_node_ids(scene);
+  EXPECT_EQ(scene.node(gone).id, 1U);
+  EXPECT_EQ(scene.node(later).id, 1U);
 }
 
 TEST(NodeIds, AreTheirOwnInEachScope) {
