@@ -30,6 +30,12 @@ Result<Presentation> BtTextReader::read_presentation() {
   end_scene();
   end_epoch();
   if (!in_.ok()) return in_.error();
+  for (const bool descriptors : {false, true}) {  // a stream can be begun at its beginning
+    const auto first = std::find_if(out_.units.begin(), out_.units.end(), [&](const AccessUnit& u) {
+      return std::holds_alternative<OdCommands>(u.commands) == descriptors;
+    });
+    if (first != out_.units.end()) first->random_access = true;
+  }
   out_.scene = std::move(scene_);
   return std::move(out_);
 }
@@ -176,7 +182,7 @@ void BtTextReader::read_commands(uint64_t time, bool random_access) {
   read_buffers();
   if (!in_.ok()) return;
   if (!descriptors.empty()) {
-    auto& unit = std::get<OdCommands>(unit_at(time, true, true).commands);
+    auto& unit = std::get<OdCommands>(unit_at(time, true, random_access).commands);
     std::move(descriptors.begin(), descriptors.end(), std::back_inserter(unit));
   }
   if (!commands.empty()) {

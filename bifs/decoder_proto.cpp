@@ -50,8 +50,8 @@ ProtoId FrameDecoder::read_proto() {
 
 /// Names are made up where the stream has none, or one that could not be told from others.
 ProtoId FrameDecoder::declare_proto(uint32_t id) {
-  const std::string made = proto_.valid() ? state_.scene.proto(proto_).interface.name + "_"
-                                          : std::string("Proto");
+  const std::string made =
+      proto_.valid() ? state_.scene.proto(proto_).interface.name + "_" : std::string("Proto");
   std::string name = made + std::to_string(id);
   if (state_.use_names) take_name("protoName", name, true);
   if (!take(1, sizeof(nodes::Proto) + sizeof(nodes::Scope) + 2 * name.size())) return {};

@@ -3,6 +3,7 @@
 #include "bifs/encoding_setup.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <utility>
 
@@ -75,6 +76,25 @@ uint32_t number_protos_by_scope(Presentation& presentation) {
       for (uint32_t& id : deletion->proto_ids) id = renumbered[id] & mask;
   });
   return last_given;
+}
+
+/// GPAC keeps the bounds of integers as floats and writes the bits of those (vector 21).
+void cut_integer_bounds(nodes::Scene& scene) {
+  const auto bits = [](double bound) {
+    return double{std::bit_cast<int32_t>(static_cast<float>(bound))};
+  };
+  for (size_t i = 0; i < scene.proto_count(); ++i) {
+    nodes::NodeDefinition& interface = scene.proto(ProtoId{i}).interface;
+    nodes::NodeDefinition cut;
+    cut.name = interface.name;
+    cut.data_types = interface.data_types;
+    for (nodes::FieldDefinition field : interface.fields()) {
+      if (field.bounds && element_type(field.type) == nodes::FieldType::sf_int32)
+        field.bounds = nodes::Bounds{bits(field.bounds->lower), bits(field.bounds->upper)};
+      cut.add(std::move(field));
+    }
+    interface = std::move(cut);
+  }
 }
 
 /// A node insertion has 8 bits for its position.
@@ -165,6 +185,7 @@ Status set_up_encoding(Presentation& presentation, const EncodingChoices& choice
   });
   const uint32_t greatest_proto = choices.like_gpac ? number_protos_by_scope(presentation)
                                                     : greatest_proto_id(presentation.scene);
+  if (choices.like_gpac) cut_integer_bounds(presentation.scene);
   auto* es = const_cast<EsDescriptor*>(scene_stream(initial));
   Result<BifsConfig> wanted = wanted_config(*es, diagnostics);
   if (!wanted.ok()) return wanted.error();

@@ -13,6 +13,7 @@ struct EncodingChoices {
   /// GPAC's choices, so that a text gives the bits that its MP4Box makes of it:
   /// - PROTO IDs count from 1 in each scope, and are cut to the width of the last one;
   /// - images and lists of script texts are written even if they were not given;
+  /// - bounds of SFInt32 PROTO fields are written as the bits of floats;
   /// - node insertions at positions above 255 lose the higher bits (a warning says so);
   /// - no coding of numbers but the ones that the text asks for.
   /// The text must be read like_gpac too (nodes::SceneReadOptions), for strings and ROUTE IDs.
