@@ -393,7 +393,8 @@ FieldIndex BtTextReader::read_target_field(NodeId node, IndexMode mode) {
   if (!field.valid()) field = find_field(definition, name, begin);
   if (!in_.ok() || definition.index_in(mode, field)) return field;
   in_.fail(Errc::malformed, begin,
-           quoted(name) + " of " + definition.name + " is an " +
+           quoted(name) + " of " + definition.name +
+               (definition.field(field).kind == nodes::EventKind::field ? " is a " : " is an ") +
                std::string(to_string(definition.field(field).kind)) +
                (mode == IndexMode::in
                     ? " [expected an exposedField or eventIn; MULTIPLEREPLACE reaches fields]"

@@ -160,8 +160,10 @@ Json describe_sizes(const std::map<std::string, bifs::NodeSize>& sizes) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return a.second.bits > b.second.bits; });
   Json out = Json::object();
-  for (const auto& [type, size] : sorted)
-    out[type] = grouped(size.count) + " in " + counted((size.bits + 7) / 8, "byte");
+  for (const auto& [type, size] : sorted) {
+    const std::string bytes = counted((size.bits + 7) / 8, "byte");
+    out[type] = size.count == 0 ? bytes : grouped(size.count) + " in " + bytes;
+  }
   return out;
 }
 
