@@ -81,7 +81,7 @@ uint32_t number_protos_by_scope(Presentation& presentation) {
 /// GPAC keeps the bounds of integers as floats and writes the bits of those (vector 21).
 void cut_integer_bounds(nodes::Scene& scene) {
   const auto bits = [](double bound) {
-    return double{std::bit_cast<int32_t>(static_cast<float>(bound))};
+    return static_cast<double>(std::bit_cast<int32_t>(static_cast<float>(bound)));
   };
   for (size_t i = 0; i < scene.proto_count(); ++i) {
     nodes::NodeDefinition& interface = scene.proto(ProtoId{i}).interface;
