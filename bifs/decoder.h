@@ -22,6 +22,9 @@ struct DecodeOptions {
   /// Keep coding quantizers (bifs/coding_quantizer.h), which are no part of the scene: for who
   /// wants to see the stream as it is. The scene then has nodes that nobody put there.
   bool keep_coding_quantizers = false;
+  /// Hears, in long lists of numbers, that everything before a byte of the access unit has been
+  /// read: it may be dropped from memory if it can be read again (a mapped file).
+  std::function<void(size_t byte)> passed = {};
 };
 
 /// What one access unit held.

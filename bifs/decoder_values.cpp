@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // Source: ISO/IEC 14496-11, field values (clauses not checked); spec/bifs.md 8 and 9.
+#include <algorithm>
 #include <bit>
 #include <type_traits>
 #include <utility>
@@ -118,10 +119,15 @@ bool FrameDecoder::read_run(std::vector<T>& out, uint32_t count, const ElementCo
   const std::optional<unsigned> width = number_width<T>(coding);
   const uint64_t numbers = uint64_t{count} * kNumbersIn<T>;
   if (!width || !in_->has_run(numbers, *width)) return false;
-  codec::BitReader::Run run = in_->run(numbers, *width);
   out.resize(count);
-  if constexpr (kNumbersIn<T> != 0)
-    for (T& element : out) from_numbers(element, coding, [&] { return run.u(); });
+  constexpr uint32_t kPiece = uint32_t{1} << 16;  // elements between two calls of `passed`
+  for (uint32_t begin = 0; begin < count; begin += kPiece) {
+    const std::span<T> piece = std::span(out).subspan(begin, std::min(kPiece, count - begin));
+    codec::BitReader::Run run = in_->run(piece.size() * kNumbersIn<T>, *width);
+    if constexpr (kNumbersIn<T> != 0)
+      for (T& element : piece) from_numbers(element, coding, [&] { return run.u(); });
+    if (state_.options.passed && in_ == &frame_) state_.options.passed(in_->bit() / 8);
+  }
   return true;
 }
 

@@ -137,8 +137,10 @@ class PresentationDecoder {
                               " is the one decoded");
     const auto config = config_of(*scene_, diagnostics_);
     if (!config.ok()) return config.error();
-    decoder_.emplace(config.value(), options_.limits,
-                     DecodeOptions{.keep_coding_quantizers = !options_.drop_coding_quantizers});
+    DecodeOptions how;
+    how.keep_coding_quantizers = !options_.drop_coding_quantizers;
+    if (source_.passed) how.passed = [this](size_t byte) { source_.passed(unit_begin_ + byte); };
+    decoder_.emplace(config.value(), options_.limits, how);
     return {};
   }
 
@@ -178,8 +180,9 @@ class PresentationDecoder {
   /// Decodes an access unit of the scene, with the places of its errors and warnings in the file.
   Result<CommandFrame> decode_unit(size_t index, const BifsDecoder::CommandSink& hear) {
     const UnitPlaces places(*scene_, index);
-    const auto bytes = read_sample(source_, *scene_, index, options_.limits);
-    if (!bytes.ok()) return places.in_file(bytes.error());
+    const auto sample = view_sample(source_, *scene_, index, options_.limits);
+    if (!sample.ok()) return places.in_file(sample.error());
+    unit_begin_ = scene_->samples[index].offset;
     Diagnostics found;
     codec::Trace moved;
     if (options_.trace != nullptr)
@@ -187,8 +190,8 @@ class PresentationDecoder {
         const std::string path = std::to_string(index) + '/' + std::string(element.path);
         (*options_.trace)({element.bit, element.width, path, element.value});
       };
-    auto frame =
-        decoder_->decode(bytes.value(), found, hear, options_.trace != nullptr ? &moved : nullptr);
+    auto frame = decoder_->decode(sample.value().bytes, found, hear,
+                                  options_.trace != nullptr ? &moved : nullptr);
     places.in_file(found, diagnostics_);
     if (!frame.ok()) return places.in_file(std::move(frame).error());
     return frame;
@@ -293,6 +296,7 @@ class PresentationDecoder {
   const Mp4Track* scene_ = nullptr;
   const Mp4Track* od_ = nullptr;
   std::optional<BifsDecoder> decoder_;
+  uint64_t unit_begin_ = 0;  ///< of the access unit at work in the file
 };
 
 }  // namespace

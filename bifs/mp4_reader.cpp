@@ -224,8 +224,11 @@ Result<Mp4Movie> read_mp4(const Mp4Source& source, const Limits& limits, Diagnos
   return Mp4Reader(source, limits, diagnostics, trace).read();
 }
 
-Result<std::vector<uint8_t>> read_sample(const Mp4Source& source, const Mp4Track& track,
-                                         size_t index, const Limits& limits) {
+namespace {
+
+/// Whether a sample can be read.
+Status check_sample(const Mp4Source& source, const Mp4Track& track, size_t index,
+                    const Limits& limits) {
   const auto refuse = [&](Errc code, const std::string& text) {
     return Error{
         code,
@@ -250,10 +253,31 @@ Result<std::vector<uint8_t>> read_sample(const Mp4Source& source, const Mp4Track
   if (sample.size > limits.memory) {
     return refuse(Errc::limit_exceeded, "it has more bytes than the limit allows");
   }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<uint8_t>> read_sample(const Mp4Source& source, const Mp4Track& track,
+                                         size_t index, const Limits& limits) {
+  if (Status fits = check_sample(source, track, index, limits); !fits.ok()) return fits.error();
+  const Mp4Sample& sample = track.samples[index];
   std::vector<uint8_t> bytes(sample.size);
   Status status = source.read(sample.offset, bytes);
   if (!status.ok()) return status.error();
   return bytes;
+}
+
+Result<Mp4SampleView> view_sample(const Mp4Source& source, const Mp4Track& track, size_t index,
+                                  const Limits& limits) {
+  if (Status fits = check_sample(source, track, index, limits); !fits.ok()) return fits.error();
+  const Mp4Sample& sample = track.samples[index];
+  if (source.view) return Mp4SampleView{{}, source.view(sample.offset, sample.size)};
+  Mp4SampleView view{std::vector<uint8_t>(sample.size), {}};
+  Status status = source.read(sample.offset, view.copy);
+  if (!status.ok()) return status.error();
+  view.bytes = view.copy;
+  return view;
 }
 
 }  // namespace afx::bifs

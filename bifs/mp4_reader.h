@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bifs/mp4_movie.h"
@@ -39,5 +40,15 @@ Result<Mp4Movie> read_mp4(const Mp4Source& source, const Limits& limits, Diagnos
 ///         it lies in another file; limit_exceeded: more than limits.memory; io
 Result<std::vector<uint8_t>> read_sample(const Mp4Source& source, const Mp4Track& track,
                                          size_t index, const Limits& limits);
+
+/// A sample where it is, or else a copy.
+struct Mp4SampleView {
+  std::vector<uint8_t> copy;  ///< empty where the source can show the bytes
+  std::span<const uint8_t> bytes;
+};
+
+/// The same without a copy where source.view is there. Errors: as read_sample.
+Result<Mp4SampleView> view_sample(const Mp4Source& source, const Mp4Track& track, size_t index,
+                                  const Limits& limits);
 
 }  // namespace afx::bifs

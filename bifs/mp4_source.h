@@ -16,6 +16,11 @@ struct Mp4Source {
   /// Fills `out` with the bytes from `offset` on; they lie within `size`. Its errors (io) are
   /// handed on. Called from one thread at a time.
   std::function<Status(uint64_t offset, std::span<uint8_t> out)> read;
+  /// The same bytes where they are, as long as the source lives; empty: they are nowhere.
+  std::function<std::span<const uint8_t>(uint64_t offset, uint64_t count)> view = {};
+  /// Hears that everything before an offset has been read and may be dropped from memory, though
+  /// not for ever; may be empty.
+  std::function<void(uint64_t offset)> passed = {};
 };
 
 /// Bytes in memory (or mapped there) as a source; they must live as long as it.

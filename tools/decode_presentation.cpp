@@ -84,8 +84,7 @@ Status write_scene(const DecodeOptions& options, const CodedScene& coded,
     }
     const std::string path = (output.parent_path() / picture.name).string();
     std::error_code failure;  // a folder that is not there is what check() tells
-    if (!session.options.dry_run)
-      fs::create_directories(fs::path(path).parent_path(), failure);
+    if (!session.options.dry_run) fs::create_directories(fs::path(path).parent_path(), failure);
     if (Status free = outputs.check(path); !free.ok()) return free;
     lines.push_back(path + ": " + counted(picture.bytes.size(), "byte"));
     if (session.options.dry_run) continue;

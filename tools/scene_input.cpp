@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "tools/scene_input.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "afx/decoded_scene.h"
@@ -41,21 +40,10 @@ nodes::SceneReadOptions text_options(const Input& input, const Limits& limits) {
   return options;
 }
 
-/// Large reads let the pages go again: the file need not be in memory beside its content.
+/// What has been read is let go of: the file need not be in memory beside its content.
 bifs::Mp4Source source_of(const Input& input) {
-  bifs::Mp4Source source;
-  const MappedFile& file = input.file;
-  source.size = file.bytes().size();
-  source.read = [&file](uint64_t offset, std::span<uint8_t> out) -> Status {
-    constexpr size_t kPiece = size_t{1} << 20;
-    for (size_t at = 0; at < out.size(); at += kPiece) {
-      const size_t count = std::min(kPiece, out.size() - at);
-      const auto from = file.bytes().subspan(offset + at, count);
-      std::copy(from.begin(), from.end(), out.begin() + static_cast<ptrdiff_t>(at));
-      if (out.size() >= kPiece) file.let_go(offset + at + count);
-    }
-    return {};
-  };
+  bifs::Mp4Source source = bifs::mp4_source(input.file.bytes());
+  source.passed = [&file = input.file](uint64_t offset) { file.let_go(offset); };
   return source;
 }
 
@@ -131,6 +119,7 @@ Result<bifs::Presentation> read_presentation(const Input& input, const Limits& l
                           ? bifs::read_xmt(text_of(input), limits, diagnostics)
                           : bifs::read_bt(text_of(input), limits, diagnostics, options);
   if (!presentation.ok()) return with_file(std::move(presentation).error(), input.path);
+  input.file.let_go(input.file.bytes().size());
   return presentation;
 }
 
