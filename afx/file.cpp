@@ -294,12 +294,12 @@ void MappedFile::release() {
 }
 
 struct OutputFiles::Output {
-  std::string path;               // as the caller named it
-  std::string real;               // where it goes
-  std::string temporary;          // empty: written directly
-  TemporaryName* name = nullptr;  // of `temporary`
+  std::string path;                  // as the caller named it
+  std::string real;                  // where it goes
+  std::string temporary;             // empty: written directly
+  TemporaryName* name = nullptr;     // of `temporary`
   std::unique_ptr<Descriptor> file;  // of `temporary`, while it is written
-  std::vector<uint8_t> direct;    // what commit() writes to a pipe or device
+  std::vector<uint8_t> direct;       // what commit() writes to a pipe or device
   // exchanged: the old file has the temporary name; replaced: the old file is gone
   enum class State { waiting, named, exchanged, replaced } state = State::waiting;
 

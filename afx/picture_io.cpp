@@ -2,41 +2,18 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "afx/picture_io.h"
 
-#include <dlfcn.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <climits>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <type_traits>
 
 #include "afx/file.h"
+#include "afx/module_loader.h"
 #include "afx/picture_io_module.h"
 
 namespace afx {
 namespace {
-
-std::vector<std::string> module_folders() {
-  std::vector<std::string> folders;
-  if (const char* given = ::secure_getenv("AFX_MODULE_DIR"); given != nullptr && *given != 0)
-    folders.emplace_back(given);
-  std::array<char, PATH_MAX> program{};
-  const ssize_t length = ::readlink("/proc/self/exe", program.data(), program.size() - 1);
-  if (length > 0)
-    folders.push_back(folder_of(std::string(program.data(), static_cast<size_t>(length))) +
-                      "/../lib/afx");
-  Dl_info here{};
-  if (::dladdr(reinterpret_cast<const void*>(&module_folders), &here) != 0 &&
-      here.dli_fname != nullptr)
-    folders.push_back(folder_of(here.dli_fname) + "/afx");
-#ifdef AFX_MODULE_INSTALL_DIR
-  folders.emplace_back(AFX_MODULE_INSTALL_DIR);
-#endif
-  return folders;
-}
 
 // The module, once it was found; otherwise why not.
 struct Module {
@@ -45,30 +22,12 @@ struct Module {
 };
 
 Module load_module() {
-  Module result;
-  std::string looked;
-  for (const std::string& folder : module_folders()) {
-    const std::string path = folder + "/afx_pictures.so";
-    looked += (looked.empty() ? "" : ", ") + folder;
-    if (::access(path.c_str(), F_OK) != 0) continue;
-    void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* symbol = library == nullptr ? nullptr : ::dlsym(library, "afx_picture_module_get");
-    if (symbol == nullptr) {
-      const char* reason = ::dlerror();
-      result.problem =
-          "the module for pictures cannot be loaded: " + std::string(reason ? reason : path);
-      return result;
-    }
-    const auto* functions = reinterpret_cast<afx_picture_module_get_function>(symbol)();
-    if (functions->version == kAfxPictureModuleVersion)
-      result.functions = functions;
-    else
-      result.problem = "the module for pictures is of another version: " + path;
-    return result;
-  }
-  result.problem =
-      "the module for pictures, afx_pictures.so, is not there (looked in " + looked + ")";
-  return result;
+  const ModuleSymbol found =
+      find_in_module("afx_pictures", "afx_picture_module_get", "the module for pictures");
+  if (found.symbol == nullptr) return {nullptr, found.problem};
+  const auto* functions = reinterpret_cast<afx_picture_module_get_function>(found.symbol)();
+  if (functions->version == kAfxPictureModuleVersion) return {functions, {}};
+  return {nullptr, "the module for pictures is of another version"};
 }
 
 // Loaded at the first call and kept; OpenImageIO does not survive being unloaded.
