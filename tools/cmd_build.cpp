@@ -38,6 +38,7 @@ nodes::Scene compose(const BuiltOctree& built, const std::vector<std::string>& p
     images.push_back({built.model.images[i], pictures[i], kReferenceNearPlane, kReferenceFarPlane});
   }
   nodes::Scene scene;
+  const auto top = scene.add("Group");  // BIFS has no Transform at the top
   const auto transform = scene.add("Transform");
   const nodes::NodeId octree =
       add_octree_image(scene, built.model.resolution, built.model.fields, images);
@@ -47,7 +48,8 @@ nodes::Scene compose(const BuiltOctree& built, const std::vector<std::string>& p
   (void)scene.set(transform.value(), "translation", glm::vec3(built.statistics.centre));
   (void)scene.set(transform.value(), "scale", glm::vec3(side));
   (void)scene.append(transform.value(), "children", octree);
-  scene.add_root(transform.value());
+  (void)scene.append(top.value(), "children", transform.value());
+  scene.add_root(top.value());
   return scene;
 }
 

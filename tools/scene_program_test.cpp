@@ -46,6 +46,17 @@ TEST_F(SceneProgram, ASceneWithOctreeAndPictureComesBackEqualFromOneFile) {
   EXPECT_EQ(run("compare scene.wrl scene.mp4").code, 0);
 }
 
+TEST_F(SceneProgram, ABuiltModelComesBackEqualFromOneFile) {
+  write_file(file("mesh.obj"), kTwoTriangles);
+  ASSERT_EQ(run("build mesh.obj -o model.wrl --resolution 16").code, 0);
+  ASSERT_EQ(run("encode model.wrl -o model.mp4").code, 0);
+  EXPECT_EQ(run("compare model.wrl model.mp4").code, 0);
+  fs::create_directory(file("back"));
+  ASSERT_EQ(run("decode model.mp4 -o back/model.wrl").code, 0);
+  EXPECT_EQ(run("compare model.wrl back/model.wrl").code, 0);
+  EXPECT_EQ(read_file(file("back/model_front.png")), read_file(file("model_front.png")));
+}
+
 TEST_F(SceneProgram, TheOctreeStreamOfTheFileIsThatOfTheSceneAlone) {
   write_file(file("scene.wrl"), kScene);
   ASSERT_EQ(run("encode scene.wrl -o scene.mp4 --pictures none").code, 0);
