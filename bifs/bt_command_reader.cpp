@@ -59,6 +59,7 @@ bool BtTextReader::read_scene_command(std::string_view word, Commands& out) {
     in_.take_word();
     const TextCursor::Context outer = std::exchange(in_.context, {name, {}});
     (this->*read)(out);
+    if (in_.ok() && !out.empty()) note_command(out.back());
     in_.context = outer;
     return true;
   }
@@ -97,17 +98,22 @@ void BtTextReader::insertion(const FieldRef& target, Position position, Commands
   }
 }
 
+/// Whether `n.field` stands here.
+bool BtTextReader::is_field_path() const {
+  TextCursor ahead = in_;
+  return !ahead.take_word().empty() && ahead.peek() == '.';
+}
+
 /// `DELETE n`, `n.field[i]`, `n.nodefield`, `ROUTE r`, `LAST n.field`.
 void BtTextReader::read_delete(Commands& out) {
   if (in_.accept_word("ROUTE")) return out.push_back(RouteDeletion{read_route_id()});
   for (const auto& [word, kind] :
        {std::pair("LAST", Position::Kind::last), std::pair("FIRST", Position::Kind::first)}) {
-    if (in_.accept_word(word))
-      return out.push_back(IndexedValueDeletion{read_list_target(), {kind, 0}});
+    if (in_.peek_word() != word || is_field_path()) continue;
+    in_.take_word();
+    return out.push_back(IndexedValueDeletion{read_list_target(), {kind, 0}});
   }
-  TextCursor ahead = in_;
-  ahead.take_word();
-  if (ahead.peek() != '.') return out.push_back(NodeDeletion{read_target_node(), false});
+  if (!is_field_path()) return out.push_back(NodeDeletion{read_target_node(), false});
   const FieldRef target = read_target(IndexMode::in);
   if (!in_.ok()) return;
   const FieldDefinition& field = scene_.node(target.node).definition->field(target.field);
@@ -121,11 +127,9 @@ void BtTextReader::read_delete(Commands& out) {
 
 /// `REPLACE SCENE BY`, `ROUTE r BY`, `n BY node`, `n.field BY value`, `n.field[i] BY value`.
 void BtTextReader::read_replace(Commands& out) {
-  if (in_.accept_word("SCENE")) return read_replace_scene(out);
   if (in_.accept_word("ROUTE")) return read_replace_route(out);
-  TextCursor ahead = in_;
-  ahead.take_word();
-  if (ahead.peek() != '.') {
+  if (!is_field_path()) {
+    if (in_.accept_word("SCENE")) return read_replace_scene(out);
     const NodeId target = read_target_node();
     if (!expect_word("BY")) return;
     return out.push_back(NodeReplacement{target, read_node_or_null(scope_)});
@@ -136,9 +140,7 @@ void BtTextReader::read_replace(Commands& out) {
   if (!expect_word("BY")) return;
   if (position)
     return out.push_back(IndexedValueReplacement{target, *position, read_element(target)});
-  FieldReplacement command{target, read_field(target)};
-  note_list(target, command.value);
-  out.push_back(std::move(command));
+  out.push_back(FieldReplacement{target, read_field(target)});
 }
 
 /// PROTOs, a node or NULL, ROUTEs.
@@ -205,6 +207,10 @@ uint32_t BtTextReader::read_route_id() {
   const size_t begin = in_.offset();
   const std::string_view name = in_.take_word();
   if (const auto id = route_ids_.find(name)) return *id;
+  if (const auto id = id_of_name('R', name)) {  // what streams speak of need not be there
+    in_.warn("no_route", begin, "no ROUTE " + quoted(name) + " before this; its ID is taken");
+    return *id;
+  }
   nodes::NearestName nearest(name);
   for (const auto& entry : route_ids_.names()) nearest.offer(entry.first);
   in_.fail(Errc::malformed, begin,
@@ -230,7 +236,6 @@ void BtTextReader::read_multiple_replace(Commands& out) {
     if (!values_.budget().take(in_, 1, sizeof(nodes::FieldEntry))) return;
     const FieldRef target{command.target, field};
     command.values.push_back({field, read_field(target)});
-    note_list(target, command.values.back().value);
   }
   out.push_back(std::move(command));
 }
@@ -289,8 +294,8 @@ void BtTextReader::read_xreplace_place(XReplace& command) {
   if (in_.ok() && field.type == FieldType::mf_node && in_.accept('.')) read_child_field(command);
 }
 
-/// A field of the node in the list. Commands are not carried out here: it is the node of the list
-/// that a command set last, or else that the node came with.
+/// A field of the node in the list. Commands are not carried out here, but what they do to lists is
+/// noted; the peer means the node that stood there first.
 void BtTextReader::read_child_field(XReplace& command) {
   const FieldRef& target = command.target;
   const auto set = lists_.find({target.node, target.field});
@@ -309,7 +314,59 @@ void BtTextReader::read_child_field(XReplace& command) {
 
 void BtTextReader::note_list(const FieldRef& target, const FieldValue& value) {
   const auto* list = std::get_if<std::vector<NodeId>>(&value);
-  if (list != nullptr && buffer_depth_ == 0) lists_[{target.node, target.field}] = *list;
+  if (list != nullptr) lists_[{target.node, target.field}] = *list;
+}
+
+/// Changes a list of nodes at a position, or at its end if that is behind it.
+template <class Change>
+void BtTextReader::change_list(const FieldRef& target, const Position& position, Change change) {
+  const auto* first = std::get_if<std::vector<NodeId>>(&scene_.value(target.node, target.field));
+  if (first == nullptr) return;
+  auto [entry, fresh] = lists_.try_emplace({target.node, target.field});
+  std::vector<NodeId>& list = entry->second;
+  if (fresh) list = *first;
+  const bool last = position.kind == Position::Kind::last;
+  change(list, last ? list.size() : std::min<size_t>(position.index, list.size()));
+}
+
+/// What a command does to a list of nodes, as far as an XREPLACE of a child may ask for it.
+void BtTextReader::note_command(const Command& command) {
+  if (buffer_depth_ > 0 || !in_.ok()) return;
+  const auto insert = [](const FieldValue& value) {
+    return [&value](std::vector<NodeId>& list, size_t at) {
+      if (const auto* node = std::get_if<NodeId>(&value))
+        list.insert(list.begin() + static_cast<ptrdiff_t>(at), *node);
+    };
+  };
+  const auto replace = [](const FieldValue& value) {
+    return [&value](std::vector<NodeId>& list, size_t at) {
+      const auto* node = std::get_if<NodeId>(&value);
+      if (node != nullptr && !list.empty()) list[std::min(at, list.size() - 1)] = *node;
+    };
+  };
+  const auto erase = [](std::vector<NodeId>& list, size_t at) {
+    if (!list.empty())
+      list.erase(list.begin() + static_cast<ptrdiff_t>(std::min(at, list.size() - 1)));
+  };
+  if (const auto* in = std::get_if<NodeInsertion>(&command)) {
+    const FieldIndex children = scene_.node(in->target).definition->find("children");
+    const FieldValue value = in->node;
+    change_list({in->target, children}, in->position, insert(value));
+  } else if (const auto* one = std::get_if<IndexedValueInsertion>(&command)) {
+    change_list(one->target, one->position, insert(one->value));
+  } else if (const auto* other = std::get_if<IndexedValueReplacement>(&command)) {
+    change_list(other->target, other->position, replace(other->value));
+  } else if (const auto* gone = std::get_if<IndexedValueDeletion>(&command)) {
+    change_list(gone->target, gone->position, erase);
+  } else if (const auto* some = std::get_if<MultipleIndexedReplacement>(&command)) {
+    for (const IndexedValue& value : some->values)
+      change_list(some->target, {Position::Kind::index, value.index}, replace(value.value));
+  } else if (const auto* whole = std::get_if<FieldReplacement>(&command)) {
+    note_list(whole->target, whole->value);
+  } else if (const auto* fields = std::get_if<MultipleFieldReplacement>(&command)) {
+    for (const nodes::FieldEntry& entry : fields->values)
+      note_list({fields->target, entry.field}, entry.value);
+  }
 }
 
 /// `INSERTPROTO [ PROTO ... ]`.
@@ -329,7 +386,7 @@ void BtTextReader::read_insert_proto(Commands& out) {
 
 /// `DELETEPROTO [ names ]` or ALL.
 void BtTextReader::read_delete_proto(Commands& out) {
-  assign_proto_ids(scene_);
+  proto_ids_.assign(scene_);
   if (in_.accept_word("ALL")) {
     forget_protos(scene_.scope(scope_).protos);
     return out.push_back(AllProtoDeletion{});
@@ -343,9 +400,11 @@ void BtTextReader::read_delete_proto(Commands& out) {
     const size_t begin = in_.offset();
     const std::string_view name = in_.take_word();
     const ProtoId proto = scene_.find_proto(name, scope_);
-    if (!proto.valid()) return in_.fail(Errc::malformed, begin, "no PROTO " + quoted(name));
-    command.proto_ids.push_back(scene_.proto(proto).id);
-    forget_protos({proto});
+    const std::optional<uint32_t> id =
+        proto.valid() ? scene_.proto(proto).id : id_of_proto_name(name);
+    if (!id) return in_.fail(Errc::malformed, begin, "no PROTO " + quoted(name));
+    command.proto_ids.push_back(*id);
+    if (proto.valid()) forget_protos({proto});
   }
   out.push_back(std::move(command));
 }
@@ -353,13 +412,11 @@ void BtTextReader::read_delete_proto(Commands& out) {
 /// Their names may be given again.
 void BtTextReader::forget_protos(const std::vector<ProtoId>& deleted) {
   if (buffer_depth_ > 0) return;
-  nodes::Scope& scope = scene_.scope(scope_);
-  const std::vector<ProtoId> gone = deleted;  // it may be the list that is changed
-  const auto is_gone = [&](ProtoId id) {
-    return std::find(gone.begin(), gone.end(), id) != gone.end();
-  };
-  std::erase_if(scope.protos, is_gone);
-  std::erase_if(scope.proto_names, [&](const auto& entry) { return is_gone(entry.second); });
+  auto& names = scene_.scope(scope_).proto_names;
+  for (const ProtoId proto : deleted) {
+    const auto name = names.find(scene_.proto(proto).interface.name);
+    if (name != names.end() && name->second == proto) names.erase(name);
+  }
 }
 
 NodeId BtTextReader::read_target_node() {

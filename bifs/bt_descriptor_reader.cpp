@@ -143,7 +143,11 @@ ObjectDescriptor BtTextReader::read_object_descriptor() {
 Descriptors BtTextReader::read_es_descriptors() {
   Descriptors list;
   read_bracketed([&] {
-    if (expect_word("ES_Descriptor")) list.emplace_back().body = read_es_descriptor();
+    if (in_.accept_word("UnknownDescriptor")) {
+      list.emplace_back().body = read_unknown_descriptor();
+    } else if (expect_word("ES_Descriptor")) {
+      list.emplace_back().body = read_es_descriptor();
+    }
   });
   return list;
 }
@@ -258,17 +262,20 @@ MediaSource BtTextReader::read_mux_info() {
 Descriptors BtTextReader::read_other_descriptors() {
   Descriptors list;
   read_bracketed([&] {
-    if (!expect_word("UnknownDescriptor")) return;
-    UnknownDescriptor unknown;
-    read_block("UnknownDescriptor", [&](FieldReader& field) {
-      field.number("tag", unknown.tag, 8, 0);
-      if (!field.is("data")) return;
-      const std::string bytes = values_.read_bytes();
-      unknown.payload.assign(bytes.begin(), bytes.end());
-    });
-    list.emplace_back().body = std::move(unknown);
+    if (expect_word("UnknownDescriptor")) list.emplace_back().body = read_unknown_descriptor();
   });
   return list;
+}
+
+UnknownDescriptor BtTextReader::read_unknown_descriptor() {
+  UnknownDescriptor unknown;
+  read_block("UnknownDescriptor", [&](FieldReader& field) {
+    field.number("tag", unknown.tag, 8, 0);
+    if (!field.is("data")) return;
+    const std::string bytes = values_.read_bytes();
+    unknown.payload.assign(bytes.begin(), bytes.end());
+  });
+  return unknown;
 }
 
 /// Reads a command if `word` begins one of object descriptors.
@@ -283,8 +290,11 @@ void BtTextReader::read_update(OdCommands& out) {
   if (in_.accept_word("OD")) {
     OdUpdate update;
     read_bracketed([&] {
-      if (expect_word("ObjectDescriptor"))
+      if (in_.accept_word("UnknownDescriptor")) {
+        update.objects.emplace_back().body = read_unknown_descriptor();
+      } else if (expect_word("ObjectDescriptor")) {
         update.objects.emplace_back().body = read_object_descriptor();
+      }
     });
     out.emplace_back().body = std::move(update);
     return;

@@ -5,6 +5,7 @@
 #include "bifs/bt_reader.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "bifs/bt_text_reader.h"
 #include "nodes/definitions.h"
@@ -30,12 +31,7 @@ Result<Presentation> BtTextReader::read_presentation() {
   end_scene();
   end_epoch();
   if (!in_.ok()) return in_.error();
-  for (const bool descriptors : {false, true}) {  // a stream can be begun at its beginning
-    const auto first = std::find_if(out_.units.begin(), out_.units.end(), [&](const AccessUnit& u) {
-      return std::holds_alternative<OdCommands>(u.commands) == descriptors;
-    });
-    if (first != out_.units.end()) first->random_access = true;
-  }
+  merge_units();
   out_.scene = std::move(scene_);
   return std::move(out_);
 }
@@ -43,9 +39,12 @@ Result<Presentation> BtTextReader::read_presentation() {
 void BtTextReader::read_top() {
   in_.skip_space();
   const size_t begin = in_.offset();
+  command_begin_ = begin;
   const std::string_view word = in_.peek_word();
+  if (is_instance(word)) return read_scene_statement(begin);
   if (word == "InitialObjectDescriptor" || word == "ObjectDescriptor") {
-    if (has_initial_ || !out_.units.empty() || scene_.node_count() > 0)
+    if (has_initial_ || !scene_units_.empty() || !descriptor_units_.empty() ||
+        scene_.node_count() > 0)
       return in_.fail(Errc::malformed, begin,
                       quoted(word) + " behind the beginning [expected it first, and once]");
     in_.take_word();
@@ -59,6 +58,13 @@ void BtTextReader::read_top() {
   }
 }
 
+/// Whether an instance of a PROTO of that name stands here, which may be called as a command is.
+bool BtTextReader::is_instance(std::string_view word) const {
+  TextCursor ahead = in_;
+  ahead.take_word();
+  return ahead.peek() == '{' && scene_.find_proto(word).valid();
+}
+
 /// A command outside of AT, or a part of the scene that no command begins.
 void BtTextReader::read_scene_statement(size_t begin) {
   Commands commands;
@@ -68,13 +74,14 @@ void BtTextReader::read_scene_statement(size_t begin) {
   ahead.take_word();
   const bool is_scene_command = word == "REPLACE" && ahead.peek_word() == "SCENE";
   if (scene_open_ && is_scene_command) end_scene();
-  if (read_descriptor_command(word, descriptors)) {
+  const bool is_node = is_instance(word);
+  if (!is_node && read_descriptor_command(word, descriptors)) {
     if (!in_.ok()) return;
     auto& unit = std::get<OdCommands>(unit_at(0, true, true).commands);
     unit.insert(unit.end(), descriptors.begin(), descriptors.end());
     return;
   }
-  if (!scene_.find_proto(word).valid() && read_scene_command(word, commands)) {
+  if (!is_node && read_scene_command(word, commands)) {
     if (!in_.ok()) return;
     end_scene();
     auto& unit = std::get<Commands>(unit_at(0, false, true).commands);
@@ -191,23 +198,27 @@ void BtTextReader::read_commands(uint64_t time, bool random_access) {
   }
 }
 
-/// The access unit of that time, made where it belongs if it is not there: the scene's before the
-/// descriptors'.
+/// The last access unit of a stream if it is of that time, or a new one behind it.
 AccessUnit& BtTextReader::unit_at(uint64_t time, bool descriptors, bool random_access) {
-  const auto key = [](const AccessUnit& unit) {
-    return std::pair(unit.time, std::holds_alternative<OdCommands>(unit.commands));
-  };
-  const std::pair wanted(time, descriptors);
-  auto& units = out_.units;
-  const auto at = std::lower_bound(
-      units.begin(), units.end(), wanted,
-      [&](const AccessUnit& unit, const std::pair<uint64_t, bool>& k) { return key(unit) < k; });
-  if (at != units.end() && key(*at) == wanted) return *at;
-  AccessUnit unit;
+  std::vector<AccessUnit>& units = descriptors ? descriptor_units_ : scene_units_;
+  if (!units.empty() && time < units.back().time)
+    in_.fail(Errc::malformed, command_begin_,
+             "commands at " + std::to_string(time) + " behind those at " +
+                 std::to_string(units.back().time) + " [expected times that do not go back]");
+  if (!units.empty() && units.back().time == time) return units.back();
+  AccessUnit& unit = units.emplace_back();
   unit.time = time;
-  unit.random_access = random_access;
+  unit.random_access = random_access || units.size() == 1;  // a stream can be begun at its begin
   if (descriptors) unit.commands = OdCommands();
-  return *units.insert(at, std::move(unit));
+  return unit;
+}
+
+/// The units of both streams by time, at the same time the scene's first.
+void BtTextReader::merge_units() {
+  std::merge(std::move_iterator(scene_units_.begin()), std::move_iterator(scene_units_.end()),
+             std::move_iterator(descriptor_units_.begin()),
+             std::move_iterator(descriptor_units_.end()), std::back_inserter(out_.units),
+             [](const AccessUnit& a, const AccessUnit& b) { return a.time < b.time; });
 }
 
 /// From here on IDs and names are those of a new scene.
@@ -227,7 +238,7 @@ void BtTextReader::end_epoch() {
   read_buffers();
   if (!in_.ok()) return;
   assign_node_ids(scene_, like_gpac_ ? NodeId{uint32_t{0}} : epoch_);  // GPAC goes on counting
-  assign_proto_ids(scene_);
+  proto_ids_.assign(scene_);
 }
 
 nodes::CommandBuffer BtTextReader::read_command_buffer(ScopeId scope) {

@@ -43,17 +43,34 @@ constexpr const char* kLists =
 }  // namespace
 
 TEST(BtReader, TimesAreAbsoluteOrAfterTheOneBefore) {
-  const Presentation read_one = read(
+  const Presentation one = read(
       "DEF X Group {}\nAT 100 { XDELETE X }\nRAP AT D50 { GLOBALQP NULL }\n"
-      "AT 20 { GLOBALQP NULL }");
-  ASSERT_EQ(read_one.units.size(), 4U);
-  EXPECT_EQ(read_one.units[0].time, 0U);
-  EXPECT_EQ(read_one.units[1].time, 20U);
-  EXPECT_EQ(read_one.units[2].time, 100U);
-  EXPECT_EQ(read_one.units[3].time, 150U);
-  EXPECT_TRUE(read_one.units[0].random_access);
-  EXPECT_FALSE(read_one.units[1].random_access);
-  EXPECT_TRUE(read_one.units[3].random_access);
+      "AT 20 { REMOVE OD [ 1 ] }");
+  const uint64_t times[] = {0, 20, 100, 150};
+  const bool random_access[] = {true, true, false, true};  // the first of each stream
+  ASSERT_EQ(one.units.size(), std::size(times));
+  for (size_t i = 0; i < std::size(times); ++i) {
+    EXPECT_EQ(one.units[i].time, times[i]);
+    EXPECT_EQ(one.units[i].random_access, random_access[i]) << i;
+  }
+}
+
+TEST(BtReader, NamesOfCommandsMayBeNamesOfNodes) {
+  const Presentation one = read(
+      "PROTO AT [] { Group {} } PROTO UPDATE [] { Group {} }\n"
+      "DEF SCENE Group { children [ AT {} DEF LAST Group {} ] } UPDATE {}"
+      "\nAT 1 { REPLACE SCENE.children BY [] DELETE LAST.children[0] REPLACE SCENE BY NULL }");
+  EXPECT_EQ(one.units.size(), 2U);
+  EXPECT_EQ(commands(one, 1).size(), 3U);
+}
+
+TEST(BtReader, AnXreplaceOfAChildMeansTheNodeThatIsThereByThen) {
+  const Presentation one = read(
+      "DEF G Group { children [ Shape {} ] }\nAT 1 { INSERT AT G.children[0] Transform {}\n"
+      "XREPLACE G.children[0].translation BY 1 2 3 }");
+  const auto& command = std::get<XReplace>(commands(one, 1)[1]);
+  ASSERT_TRUE(command.child_field.has_value());
+  EXPECT_EQ(one.scene.type_name(command.child_field->node), "Transform");
 }
 
 TEST(BtReader, CommandsOfOneTimeAreOneAccessUnit) {
@@ -168,6 +185,8 @@ constexpr BadText kBad[] = {
      "1:31: the text ends here, and '{' of 1:21 is still open [expected '}']"},
     {"DEF A Group {} AT 1 { DELETE ROUTE r }", Errc::malformed,
      "1:36: DELETE: no ROUTE 'r' before this [expected a name that DEF gave]"},
+    {"DEF A Group {} AT 5 { XDELETE A }\nAT 4 { XDELETE A }", Errc::malformed,
+     "2:1: commands at 4 behind those at 5 [expected times that do not go back]"},
     {"Group {} AT 1 { REPLACE SCENE BY Shape {} }", Errc::malformed,
      "a Shape may not be the top node [expected Group, OrderedGroup, Layer2D, Layer3D]"},
     {"Group {} AT 1 IN 7 { }", Errc::unsupported,

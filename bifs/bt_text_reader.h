@@ -39,11 +39,13 @@ class BtTextReader final : private nodes::SceneTextReader {
   // bt_reader.cpp: statements, time, the scene
   void read_top();
   void read_scene_statement(size_t begin);
+  [[nodiscard]] bool is_instance(std::string_view word) const;
   void end_scene();
   void read_timed();
   uint64_t read_time();
   void read_commands(uint64_t time, bool random_access);
   AccessUnit& unit_at(uint64_t time, bool descriptors, bool random_access);
+  void merge_units();
   void settle_roots(SceneReplacement& command);
   bool is_top_node(nodes::NodeId id) const;
   void begin_epoch();
@@ -75,11 +77,15 @@ class BtTextReader final : private nodes::SceneTextReader {
   nodes::FieldIndex read_target_field(nodes::NodeId node, nodes::IndexMode mode);
   std::optional<Position> read_position();
   bool expect_word(std::string_view word);
+  [[nodiscard]] bool is_field_path() const;
   nodes::FieldValue read_field(const FieldRef& target);
   nodes::FieldValue read_element(const FieldRef& target);
   nodes::Route read_new_route(std::string_view name);
   uint32_t read_route_id();
   void note_list(const FieldRef& target, const nodes::FieldValue& value);
+  template <class Change>
+  void change_list(const FieldRef& target, const Position& position, Change change);
+  void note_command(const Command& command);
 
   // bt_descriptor_reader.cpp: object descriptors and their commands
   bool read_descriptor_command(std::string_view word, OdCommands& out);
@@ -96,6 +102,7 @@ class BtTextReader final : private nodes::SceneTextReader {
   SlConfig read_sl_config();
   MediaSource read_mux_info();
   Descriptors read_other_descriptors();
+  UnknownDescriptor read_unknown_descriptor();
   template <class Field>
   void read_block(std::string_view name, Field read_one);
   template <class Read>
@@ -108,11 +115,14 @@ class BtTextReader final : private nodes::SceneTextReader {
   bool scene_open_ = true;  ///< nodes may still be of the scene that no command begins
   nodes::ScopeId scope_ = nodes::Scene::kMain;  ///< whose names commands mean
   uint64_t last_time_ = 0;
+  std::vector<AccessUnit> scene_units_, descriptor_units_;  ///< in the order of time
+  size_t command_begin_ = 0;                                ///< offset of the statement at work
   nodes::NodeId epoch_;  ///< the first node since the last scene replacement
   RouteIds route_ids_;   ///< of the scene
   std::deque<Buffer> buffers_;
   uint32_t buffer_depth_ = 0;  ///< of the buffer that is being read; 0: none
-  /// Lists of nodes that commands have set as a whole: what an XREPLACE of a child may mean.
+  ProtoIds proto_ids_;
+  /// Lists of nodes as commands have left them: what an XREPLACE of a child may mean.
   std::map<std::pair<nodes::NodeId, nodes::FieldIndex>, std::vector<nodes::NodeId>> lists_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "bifs/bt_writer.h"
 
+#include <map>
 #include <utility>
 
 #include "bifs/bt_descriptor_writer.h"
@@ -51,6 +52,7 @@ class BtWriter::State final : private nodes::NodeTextWriter {
 
   void object_descriptors(uint64_t time, bool random_access, const OdCommands& commands) {
     begin_frame(time, random_access);
+    first_ = false;
     open_block();
     for (const OdCommand& command : commands) {
       begin_whole_line();
@@ -87,7 +89,8 @@ class BtWriter::State final : private nodes::NodeTextWriter {
   }
 
   void write_scene_content(const SceneReplacement& c) {
-    for (const nodes::ProtoId proto : c.protos) write_proto(proto);
+    proto_names_.clear();
+    write_protos(c.protos);
     if (c.root.valid() || !is_plain(c)) {
       begin_line();
       write_node(c.root);
@@ -191,7 +194,7 @@ class BtWriter::State final : private nodes::NodeTextWriter {
   void write(const ProtoInsertion& c) {
     word("INSERTPROTO [");
     indent();
-    for (const nodes::ProtoId proto : c.protos) write_proto(proto);
+    write_protos(c.protos);
     unindent();
     word("]");
   }
@@ -245,12 +248,15 @@ class BtWriter::State final : private nodes::NodeTextWriter {
     value(c.child_field ? *c.child_field : c.target, c.value);
   }
 
-  /// The innermost declaration with an ID.
   std::string proto_name(uint32_t id) const {
-    const auto& protos = scene().scope().protos;
-    for (auto at = protos.rbegin(); at != protos.rend(); ++at)
-      if (scene().proto(*at).id == id) return scene().proto(*at).interface.name;
-    return "Proto" + std::to_string(id);
+    const auto found = proto_names_.find(id);
+    return found != proto_names_.end() ? found->second : "Proto" + std::to_string(id);
+  }
+  void write_protos(const std::vector<nodes::ProtoId>& protos) {
+    for (const nodes::ProtoId proto : protos) {
+      proto_names_[scene().proto(proto).id] = scene().proto(proto).interface.name;
+      write_proto(proto);
+    }
   }
 
   void write_command_buffer(const nodes::CommandBuffer& buffer) override {
@@ -269,6 +275,7 @@ class BtWriter::State final : private nodes::NodeTextWriter {
 
   TextNames names_;
   nodes::TextOut out_;
+  std::map<uint32_t, std::string> proto_names_;  ///< of the scene, by ID
   uint64_t time_ = 0;
   bool random_access_ = true;
   bool first_ = true;  ///< no command has been written

@@ -98,6 +98,7 @@ Result<CommandFrame> FrameDecoder::read(const BifsDecoder::CommandSink& sink) {
 
 void FrameDecoder::read_frame(const BifsDecoder::CommandSink& sink, CommandFrame& frame) {
   bool more = true;
+  size_t told = 0;  // commands that the sink has heard of
   while (ok() && more) {
     std::optional<Command> command = read_command();
     if (!ok() || !command || !take(1, sizeof(Command))) return;
@@ -105,7 +106,9 @@ void FrameDecoder::read_frame(const BifsDecoder::CommandSink& sink, CommandFrame
     more = u(1, "moreCommands") != 0;
     read_buffers(!more);
     if (!ok()) return;
-    if (sink) sink(frame.commands.back(), state_.scene);
+    // Who hears of a command hears of what its buffers hold.
+    for (; buffers_.empty() && told < frame.commands.size(); ++told)
+      if (sink) sink(frame.commands[told], state_.scene);
     keep_first_lists(frame.commands.back());
     const Status applied = apply_command(state_.scene, frame.commands.back());
     if (!applied.ok()) warn("not_applied", applied.error().text);

@@ -44,8 +44,9 @@ struct CommandFrame {
 /// Not for use by several threads at once.
 class BifsDecoder {
  public:
-  /// Hears of each command of a frame when it is decoded and before it is applied. The references
-  /// are good during the call.
+  /// Hears of each command of a frame when it is decoded and before it is applied; where a command
+  /// buffer speaks of nodes that come later in the frame, when that has been decoded. The
+  /// references are good during the call.
   using CommandSink = std::function<void(const Command& command, const nodes::Scene& scene)>;
 
   explicit BifsDecoder(const BifsConfig& config, const Limits& limits = {},

@@ -126,10 +126,12 @@ Command FrameDecoder::read_replacement() {
 Command FrameDecoder::read_scene_replacement() {
   const Part part(*this, "SceneReplacement");
   SceneReplacement command;
+  if (buffer_depth_ > 0)
+    return fail(Errc::unsupported, "a scene replacement in a command buffer"), command;
   if (u(6, "reserved") != 0) warn("reserved_bits", "reserved bits that are not 0");
   state_.use_names = u(1, "USENAMES") != 0;
   command.use_names = state_.use_names;
-  if (buffer_depth_ == 0) forget_scene();
+  forget_scene();
   command.protos = read_protos();
   static const auto kTopNode = nodes::definitions().find_data_type("SFTopNode");
   command.root = read_node(kTopNode.value_or(nodes::kWorldNode));

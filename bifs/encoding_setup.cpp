@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "bifs/command_codes.h"
 #include "bifs/config.h"
+#include "bifs/id_assignment.h"
 #include "bifs/node_codes.h"
 
 namespace afx::bifs {
@@ -117,6 +119,47 @@ void settle_position(Command& command, const nodes::Scene& scene, bool like_gpac
       {insertion->target, children}, insertion->position, nodes::FieldValue(insertion->node)};
 }
 
+/// Whether a ROUTE has a name that its ID does not stand for.
+bool has_own_name(const nodes::Route& route) {
+  return !route.name.empty() && id_of_name('R', route.name) != route.id;
+}
+
+/// The name that the decoder makes for a PROTO.
+std::string made_name(const nodes::Scene& scene, const nodes::Proto& proto) {
+  const ProtoId outer = scene.scope(proto.scope).proto;
+  const std::string prefix =
+      outer.valid() ? scene.proto(outer).interface.name + "_" : std::string("Proto");
+  return prefix + std::to_string(proto.id);
+}
+
+bool has_own_names(const nodes::Scene& scene, const nodes::Proto& proto) {
+  const nodes::NodeDefinition& interface = proto.interface;
+  for (size_t i = 0; i < interface.fields().size(); ++i)
+    if (interface.fields()[i].name != "_field" + std::to_string(i)) return true;
+  return interface.name != made_name(scene, proto);
+}
+
+/// Whether names would be lost if they were not coded: others than decoders make from IDs.
+bool has_own_names(Presentation& presentation) {
+  const nodes::Scene& scene = presentation.scene;
+  for (size_t i = 0; i < scene.node_count(); ++i) {
+    const nodes::Node& node = scene.node(nodes::NodeId{i});
+    if (!node.name.empty() && id_of_name('N', node.name) != node.id) return true;
+  }
+  for (size_t i = 0; i < scene.proto_count(); ++i)
+    if (has_own_names(scene, scene.proto(ProtoId{i}))) return true;
+  bool found = false;
+  const auto look = [&](const std::vector<nodes::Route>& routes) {
+    found = found || std::any_of(routes.begin(), routes.end(), has_own_name);
+  };
+  for (size_t i = 0; i < scene.scope_count(); ++i) look(scene.scope(ScopeId{i}).routes);
+  each_command(presentation, [&](const Command& command) {
+    if (const auto* insertion = std::get_if<RouteInsertion>(&command)) look({insertion->route});
+    if (const auto* replaced = std::get_if<SceneReplacement>(&command)) look(replaced->routes);
+  });
+  return found;
+}
+
 EsDescriptor& add_stream(InitialObjectDescriptor& initial, uint8_t stream_type, uint16_t es_id) {
   // In place: g++ 12 warns falsely of a variant that is moved as a temporary.
   EsDescriptor& es = initial.parts.emplace_back().body.emplace<EsDescriptor>();
@@ -134,13 +177,51 @@ T& part_of(Descriptors& parts) {
   return parts.emplace_back().body.emplace<T>();
 }
 
-/// An ES_ID that no stream has.
-uint16_t free_es_id(const InitialObjectDescriptor& initial) {
+/// Calls `visit` for the streams in a list of descriptors, and in the objects there.
+template <class Visit>
+void each_stream(Descriptors& parts, Visit visit) {
+  for (Descriptor& part : parts) {
+    if (auto* es = std::get_if<EsDescriptor>(&part.body)) visit(*es);
+    if (auto* object = std::get_if<ObjectDescriptor>(&part.body)) each_stream(object->parts, visit);
+  }
+}
+template <class Visit>
+void each_stream(Presentation& presentation, Visit visit) {
+  each_stream(presentation.initial.parts, visit);
+  for (AccessUnit& unit : presentation.units) {
+    auto* commands = std::get_if<OdCommands>(&unit.commands);
+    if (commands == nullptr) continue;
+    for (OdCommand& command : *commands) {
+      if (auto* update = std::get_if<OdUpdate>(&command.body)) each_stream(update->objects, visit);
+      if (auto* streams = std::get_if<EsUpdate>(&command.body))
+        each_stream(streams->streams, visit);
+    }
+  }
+}
+
+/// The least ES_ID that no stream has.
+uint16_t free_es_id(Presentation& presentation) {
+  std::set<uint16_t> taken;
+  each_stream(presentation, [&](const EsDescriptor& es) { taken.insert(es.es_id); });
   uint16_t id = 1;
-  for (const Descriptor& part : initial.parts)
-    if (const auto* es = std::get_if<EsDescriptor>(&part.body))
-      id = std::max(id, static_cast<uint16_t>(es->es_id + 1));
+  while (taken.contains(id)) ++id;
   return id;
+}
+
+/// There is a scene stream, one for object descriptors if there are any, and all have an ES_ID.
+void complete_streams(Presentation& presentation) {
+  InitialObjectDescriptor& initial = presentation.initial;
+  initial.in_file = false;
+  if (scene_stream(initial) == nullptr)
+    add_stream(initial, stream_type::kScene, free_es_id(presentation));
+  const bool has_descriptors = std::any_of(
+      presentation.units.begin(), presentation.units.end(),
+      [](const AccessUnit& unit) { return std::holds_alternative<OdCommands>(unit.commands); });
+  if (has_descriptors && object_descriptor_stream(initial) == nullptr)
+    add_stream(initial, stream_type::kObjectDescriptor, free_es_id(presentation));
+  each_stream(presentation, [&](EsDescriptor& es) {
+    if (es.es_id == 0) es.es_id = free_es_id(presentation);
+  });
 }
 
 Result<BifsConfig> wanted_config(const EsDescriptor& es, Diagnostics& diagnostics) {
@@ -168,25 +249,18 @@ uint8_t at_least(uint8_t wanted, uint32_t greatest_id) {
 
 Status set_up_encoding(Presentation& presentation, const EncodingChoices& choices,
                        Diagnostics& diagnostics) {
-  InitialObjectDescriptor& initial = presentation.initial;
-  initial.in_file = false;
-  if (scene_stream(initial) == nullptr)
-    add_stream(initial, stream_type::kScene, free_es_id(initial));
-  const bool has_descriptors = std::any_of(
-      presentation.units.begin(), presentation.units.end(),
-      [](const AccessUnit& unit) { return std::holds_alternative<OdCommands>(unit.commands); });
-  if (has_descriptors && object_descriptor_stream(initial) == nullptr)
-    add_stream(initial, stream_type::kObjectDescriptor, free_es_id(initial));
-
+  complete_streams(presentation);
+  const bool use_names = choices.names == EncodingChoices::Names::always ||
+                         (choices.names == EncodingChoices::Names::automatic &&
+                          !choices.like_gpac && has_own_names(presentation));
   each_command(presentation, [&](Command& command) {
-    if (auto* scene = std::get_if<SceneReplacement>(&command))
-      scene->use_names = scene->use_names || choices.use_names;
+    if (auto* scene = std::get_if<SceneReplacement>(&command)) scene->use_names = use_names;
     settle_position(command, presentation.scene, choices.like_gpac, diagnostics);
   });
   const uint32_t greatest_proto = choices.like_gpac ? number_protos_by_scope(presentation)
                                                     : greatest_proto_id(presentation.scene);
   if (choices.like_gpac) cut_integer_bounds(presentation.scene);
-  auto* es = const_cast<EsDescriptor*>(scene_stream(initial));
+  auto* es = const_cast<EsDescriptor*>(scene_stream(presentation.initial));
   Result<BifsConfig> wanted = wanted_config(*es, diagnostics);
   if (!wanted.ok()) return wanted.error();
   BifsConfig& config = wanted.value();

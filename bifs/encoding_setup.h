@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #pragma once
 
+#include <cstdint>
+
 #include "bifs/encoder.h"
 #include "bifs/presentation.h"
 #include "codec/error.h"
@@ -21,7 +23,13 @@ struct EncodingChoices {
   /// insertions of values, which have 16 bits.
   bool like_gpac = false;
   /// Code the names of nodes, ROUTEs, PROTOs and their fields too (USENAMES; MP4Box -def).
-  bool use_names = false;
+  enum class Names : uint8_t {
+    automatic,  ///< where names would be lost, that is, are not the ones that IDs stand for (N<k>);
+                ///< like_gpac: never
+    always,
+    never
+  };
+  Names names = Names::automatic;
   /// Code quantized lists predictively where that is shorter (EncodeOptions::predictive). Not like
   /// GPAC.
   bool predictive = false;

@@ -22,17 +22,16 @@ std::optional<uint32_t> number_behind(std::string_view prefix, std::string_view 
   return number;
 }
 
-/// Proto<k> has the ID k; 0 is none here.
-std::optional<uint32_t> id_of_proto_name(std::string_view name) {
-  const std::optional<uint32_t> number = number_behind("Proto", name);
-  return number && *number > 0 ? number : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<uint32_t> id_of_name(char letter, std::string_view name) {
   const std::optional<uint32_t> number = number_behind({&letter, 1}, name);
   return number ? std::optional(*number + 1) : std::nullopt;
+}
+
+std::optional<uint32_t> id_of_proto_name(std::string_view name) {
+  const std::optional<uint32_t> number = number_behind("Proto", name);
+  return number && *number > 0 ? number : std::nullopt;
 }
 
 uint32_t TakenIds::next(std::optional<uint32_t> wanted) {
@@ -57,13 +56,11 @@ void assign_node_ids(nodes::Scene& scene, NodeId first) {
   }
 }
 
-void assign_proto_ids(nodes::Scene& scene) {
-  TakenIds taken;
-  for (size_t i = 0; i < scene.proto_count(); ++i)
-    if (const uint32_t id = scene.proto(nodes::ProtoId{i}).id; id != 0) taken.take(id);
-  for (size_t i = 0; i < scene.proto_count(); ++i) {
-    nodes::Proto& proto = scene.proto(nodes::ProtoId{i});
-    if (proto.id == 0) proto.id = taken.take_new(id_of_proto_name(proto.interface.name));
+void ProtoIds::assign(nodes::Scene& scene) {
+  for (; seen_ < scene.proto_count(); ++seen_) {
+    nodes::Proto& proto = scene.proto(nodes::ProtoId{seen_});
+    if (proto.id == 0) proto.id = taken_.next(id_of_proto_name(proto.interface.name));
+    taken_.take(proto.id);
   }
 }
 

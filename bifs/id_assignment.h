@@ -20,6 +20,9 @@ namespace afx::bifs {
 /// for other names and for IDs that no stream can hold (2^31 and more).
 std::optional<uint32_t> id_of_name(char letter, std::string_view name);
 
+/// The ID of a PROTO that a stream had no name for: Proto<k> is k. None for other names, and for 0.
+std::optional<uint32_t> id_of_proto_name(std::string_view name);
+
 /// IDs of one kind that are taken in one scope.
 class TakenIds {
  public:
@@ -42,9 +45,17 @@ class TakenIds {
 ///        that a scene replacement dropped
 void assign_node_ids(nodes::Scene& scene, nodes::NodeId first = nodes::NodeId{uint32_t{0}});
 
-/// Gives IDs to the PROTOs that have none yet, in the order of their declaration; no two PROTOs of
-/// a scene have the same.
-void assign_proto_ids(nodes::Scene& scene);
+/// The IDs of PROTOs, given in the order of their declaration: no two PROTOs of a scene have the
+/// same. One whose name is Proto<k> takes the ID k if it is free.
+class ProtoIds {
+ public:
+  /// Gives IDs to those that have been declared since the last call and have none.
+  void assign(nodes::Scene& scene);
+
+ private:
+  TakenIds taken_;
+  uint32_t seen_ = 0;  ///< PROTOs of the scene
+};
 
 /// The IDs of ROUTEs, given as they are read: commands name a ROUTE by its ID. One for a scope.
 class RouteIds {

@@ -24,13 +24,11 @@ EsDescriptor stream_of_track(const Mp4Track& track) {
   if (const EsDescriptor* found = track.entries.empty() ? nullptr : es_of(track.entries[0]))
     es = *found;
   es.es_id = static_cast<uint16_t>(track.id);
-  for (Descriptor& part : es.parts) {
-    auto* sl = std::get_if<SlConfig>(&part.body);
-    if (sl == nullptr) continue;
-    sl->predefined = 0;
-    sl->rest.clear();
-    sl->fields.emplace().time_stamp_resolution = track.timescale;
-  }
+  std::erase_if(es.parts,
+                [](const Descriptor& part) { return std::holds_alternative<SlConfig>(part.body); });
+  SlConfig& sl = es.parts.emplace_back().body.emplace<SlConfig>();
+  sl.predefined = 0;
+  sl.fields.emplace().time_stamp_resolution = track.timescale;
   return es;
 }
 

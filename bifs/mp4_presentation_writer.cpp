@@ -41,6 +41,7 @@ class Mp4PresentationWriter::State {
 
   Status begin(const InitialObjectDescriptor& initial) {
     if (Status begun = scene_.begin(initial); !begun.ok()) return begun;
+    if (Status only = check_streams(initial); !only.ok()) return only;
     initial_ = initial;
     const DisplaySize size = scene_.config().size.value_or(DisplaySize{});
     const EsDescriptor& es = scene_.stream();
@@ -90,6 +91,20 @@ class Mp4PresentationWriter::State {
   }
 
  private:
+  /// Of one scene and one stream of object descriptors.
+  static Status check_streams(const InitialObjectDescriptor& initial) {
+    for (const Descriptor& part : initial.parts) {
+      const auto* es = std::get_if<EsDescriptor>(&part.body);
+      if (es == nullptr || es == scene_stream(initial) || es == object_descriptor_stream(initial))
+        continue;
+      return Error{Errc::unsupported, Place::none(),
+                   "the stream " + std::to_string(es->es_id) +
+                       " in the InitialObjectDescriptor (expected one scene stream and one of "
+                       "object descriptors, others in ObjectDescriptors)"};
+    }
+    return {};
+  }
+
   Status add_sample(size_t track, std::vector<uint8_t> bytes, uint64_t time, bool random_access) {
     delays_.resize(builder_.movie.tracks.size());
     const auto& samples = builder_.movie.tracks[track].samples;

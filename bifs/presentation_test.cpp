@@ -164,7 +164,9 @@ INSTANTIATE_TEST_SUITE_P(All, ThroughText,
                          testing::ValuesIn(vectors_without("33-peer-proto-id-clash")), test_name);
 
 TEST_P(EncodedLikeGpac, TheTextGivesTheConfigurationAndTheBitsOfGpac) {
-  const EncodingChoices choices{.like_gpac = true, .use_names = GetParam() == "30-names"};
+  using enum EncodingChoices::Names;
+  const EncodingChoices choices{.like_gpac = true,
+                                .names = GetParam() == "30-names" ? always : automatic};
   Presentation presentation = read_scene_bt(GetParam(), choices);
   Diagnostics diagnostics;
   RawBifsWriter writer(encode_options(choices), diagnostics);
@@ -180,7 +182,7 @@ TEST_P(EncodedLikeGpac, TheTextGivesTheConfigurationAndTheBitsOfGpac) {
 }
 
 TEST_P(ThroughText, FromTheSecondTimeOnTheStreamsAreTheSame) {
-  const EncodingChoices choices{.like_gpac = false, .use_names = GetParam() == "30-names"};
+  const EncodingChoices choices;
   Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/mp4" / GetParam() /
                           "scene.mp4");
   std::vector<Bytes> files = {file};

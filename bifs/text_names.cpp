@@ -42,9 +42,9 @@ std::string TextNames::route_name(uint32_t id) const {
 /// The own name, or the letter and the ID minus 1, or that with a number behind it.
 std::string TextNames::unique(Names& taken, std::string_view own, char letter, uint32_t id) {
   if (nodes::is_identifier(own) && taken.emplace(own).second) return std::string(own);
-  std::string name = letter + std::to_string(id == 0 ? 0 : id - 1);
-  for (unsigned copy = 2; !taken.insert(name).second; ++copy)
-    name = letter + std::to_string(id == 0 ? 0 : id - 1) + '_' + std::to_string(copy);
+  const std::string made = letter + std::to_string(id == 0 ? 0 : id - 1);
+  std::string name = made;
+  while (!taken.insert(name).second) name = made + '_' + std::to_string(++copies_[made] + 1);
   return name;
 }
 

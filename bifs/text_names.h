@@ -34,7 +34,7 @@ class TextNames final : public nodes::NodeNaming {
 
  private:
   using Names = std::set<std::string, std::less<>>;
-  static std::string unique(Names& taken, std::string_view own, char letter, uint32_t id);
+  std::string unique(Names& taken, std::string_view own, char letter, uint32_t id);
   void forget_scene();
 
   const nodes::Scene* scene_ = nullptr;
@@ -44,6 +44,7 @@ class TextNames final : public nodes::NodeNaming {
   std::map<nodes::ScopeId, Names> taken_;
   std::map<uint32_t, std::string> routes_;
   Names taken_routes_;
+  std::map<std::string, unsigned> copies_;  ///< of names that were taken: tried so far
 };
 
 }  // namespace afx::bifs

@@ -67,6 +67,7 @@ class XmtReader {
   struct Stream {
     uint32_t ticks = 1000;  ///< a second
     bool begun = false;     ///< it has an access unit
+    uint64_t last = 0;      ///< time of its last access unit
   };
 
   /// An access unit of each stream, begun when the first command for it is read.
@@ -123,6 +124,12 @@ class XmtReader {
     if (time > kLargest)
       document_.fail(document_.name(element), "a time that does not fit in 64 bits");
     if (!scene_.values().take(document_.name(element), 1, sizeof(AccessUnit))) return nullptr;
+    if (static_cast<uint64_t>(time) < stream.last)
+      document_.fail(document_.name(element),
+                     "a command before those above [expected times that "
+                     "do not go back]");
+    if (!document_.ok()) return nullptr;
+    stream.last = static_cast<uint64_t>(time);
     if (!place) {
       const bool first = !std::exchange(stream.begun, true);
       place = presentation_.units.size();

@@ -186,10 +186,10 @@ TEST(XmtNodes, OfANewSceneHaveNamesAndIdsOfTheirOwn) {
 }
 
 TEST(XmtUnits, AreOnesOfTheirStreamAndTime) {
-  const Presentation presentation = read(in_body(
-      "<Replace><Scene><Group DEF='N0'/></Scene></Replace><ObjectDescriptorRemove "
-      "objectDescriptorId='od3 4'/>\n<par begin='2.5' isRAP='yes'><Delete atNode='N0'/></par>"
-      "<par begin='0.001'><Delete atNode='N0'/></par>"));
+  const Presentation presentation =
+      read(in_body("<Replace><Scene><Group DEF='N0'/></Scene></Replace><ObjectDescriptorRemove "
+                   "objectDescriptorId='od3 4'/>\n<par begin='0.001'><Delete atNode='N0'/></par>"
+                   "<par begin='2.5' isRAP='yes'><Delete atNode='N0'/></par>"));
   ASSERT_EQ(presentation.units.size(), 4U);
   EXPECT_EQ(presentation.units[0].time, 0U);
   EXPECT_TRUE(presentation.units[0].random_access);

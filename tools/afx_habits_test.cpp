@@ -96,10 +96,10 @@ TEST_F(Program, MistypedWordsAreNamed) {
                             "--input-format foo"}) {
     EXPECT_EQ(run("decode " + in + " " + words).code, 2) << words;
   }
-  EXPECT_THAT(run("decode " + in + " -o - --format foo").err, HasSubstr("wrl, bt or oct"));
-  EXPECT_EQ(run("decode " + in + " -o - --format mp4").code, 1);
-  EXPECT_EQ(run("info " + in + " --input-format mp4").code, 1);
-  EXPECT_EQ(run("render " + in + " -o b.mp4").code, 1);
+  EXPECT_THAT(run("decode " + in + " -o - --format foo").err, HasSubstr("wrl, bt, xmt, json or oct"));
+  EXPECT_EQ(run("decode " + in + " -o - --format mp4").code, 2);
+  EXPECT_EQ(run("info " + in + " --input-format json").code, 2);
+  EXPECT_EQ(run("render " + in + " -o b.mp4").code, 2);
   EXPECT_EQ(run("render " + in + " -o b.exr").code, 2);
 }
 

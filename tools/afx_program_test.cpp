@@ -205,14 +205,6 @@ TEST_F(Program, WrongCommandLinesSayHowToGetTheUsage) {
   EXPECT_EQ(missing.err, "afx: nothing.afx: cannot be opened: No such file or directory\n");
 }
 
-TEST_F(Program, WhatALaterVersionWillDoIsExitOne) {
-  const Outcome out = run("decode " + kVectors + "corner-2.afx -o x.json");
-  EXPECT_EQ(out.code, 1);
-  EXPECT_THAT(out.err, HasSubstr("afx: x.json: is of a kind that this version does not know yet"));
-  write_file(file("x.mp4"), "something");
-  EXPECT_EQ(run("info x.mp4").code, 1);
-}
-
 TEST_F(Program, CompareTellsTheFirstDifference) {
   write_file(file("a.oct"), std::string("\x81\x02\x41", 3));
   write_file(file("b.oct"), std::string("\x81\x02\x42", 3));

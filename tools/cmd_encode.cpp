@@ -33,9 +33,11 @@ int check_names(const EncodeOptions& options, const OutputFiles& outputs, const 
 /// A sentence about an option that has no effect for this output; empty: there is none.
 std::string useless_option(const EncodeOptions& options, const std::string& format) {
   if (format == "afx") {
-    const bool scene = !options.afx.empty() || !options.pictures.empty() || options.names ||
+    const bool scene = !options.afx.empty() || !options.pictures.empty() ||
+                       options.names != "auto" || !options.quantize_bits.empty() ||
                        options.quantize || options.predictive || options.choices != "own";
-    return scene ? "--afx, --pictures, --choices, --names, --predictive and --quantize are for "
+    return scene ? "--afx, --pictures, --choices, --names, --predictive, --quantize and --bits are "
+                   "for "
                    "scenes (.mp4, .bifs), but the output is an OctreeImage stream"
                  : "";
   }
@@ -75,7 +77,12 @@ void add_scene_options(CLI::App& command, EncodeOptions& options) {
                   "Where the standard leaves a choice: own, or gpac: bit for bit as MP4Box encodes")
       ->check(CLI::IsMember({"own", "gpac"}))
       ->group(group);
-  command.add_flag("--names", options.names, "Code the DEF names too (USENAMES)")->group(group);
+  command
+      .add_option("--names", options.names,
+                  "Code the DEF names: auto (where they would be lost; not with --choices gpac), "
+                  "always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->group(group);
   command
       .add_flag("--predictive", options.predictive,
                 "Code quantized lists predictively where that is shorter (few players read it)")
@@ -86,7 +93,7 @@ void add_scene_options(CLI::App& command, EncodeOptions& options) {
       ->group(group);
   command
       .add_option("--bits", options.quantize_bits,
-                  "With --quantize: CATEGORY=BITS, e.g. position3D=12,color=8; 0 = not quantized")
+                  "Quantize with CATEGORY=BITS, e.g. position3D=12,color=8; 0 = not quantized")
       ->delimiter(',')
       ->group(group);
 }

@@ -33,7 +33,7 @@ std::string printed(const Json& value) {
   return value.dump();
 }
 
-/// "bitsPerVoxel" -> "bitsPerVoxel".
+/// "bitsPerVoxel" -> "bits per voxel".
 std::string in_words(const std::string& name) {
   std::string words;
   for (const char c : name) {

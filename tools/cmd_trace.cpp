@@ -22,16 +22,17 @@ struct TraceOptions {
 };
 
 void print_text(const codec::TraceElement& element) {
-  char line[256];
-  std::snprintf(line, sizeof line, "%10llu %8u  %-52.*s %llu",
-                static_cast<unsigned long long>(element.bit), element.width,
-                static_cast<int>(element.path.size()), element.path.data(),
-                static_cast<unsigned long long>(element.value));
-  std::cout << line << '\n';
+  char numbers[32];
+  std::snprintf(numbers, sizeof numbers, "%10llu %8u  ",
+                static_cast<unsigned long long>(element.bit), element.width);
+  std::string path = printable(element.path);
+  constexpr size_t kColumn = 52;
+  if (path.size() < kColumn) path.resize(kColumn, ' ');
+  std::cout << numbers << path << ' ' << element.value << '\n';
 }
 
-/// The decoder configuration of a scene and its access units; offsets count from the beginning of
-/// each. With --container the boxes of the file and its descriptors come first.
+/// The access units of a scene, by number; offsets count from the beginning of each. With
+/// --container the boxes of the file and its descriptors come first.
 int trace_scene(const TraceOptions& options, const Input& input, const Session& session,
                 const codec::Trace& print, Diagnostics& diagnostics) {
   const auto coded =
@@ -71,7 +72,8 @@ int trace(const TraceOptions& options, const Session& session) {
                                       {"width", element.width},
                                       {"name", std::string(element.path)},
                                       {"value", element.value}};
-    std::cout << line.dump() << '\n';
+    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
+    std::cout << line.dump(-1, ' ', false, kReplace) << '\n';  // names may be no UTF-8
   };
   if (is_coded_scene(kind)) return trace_scene(options, input.value(), session, print, diagnostics);
   OctreeDecodeOptions how{.threads = session.options.threads};

@@ -60,7 +60,7 @@ Status write_scene(const DecodeOptions& options, const CodedScene& coded,
                    Diagnostics& diagnostics) {
   auto decoded = decode_scene(coded.source, coded.movie, how, diagnostics);
   if (!decoded.ok()) return decoded.error();
-  if (decoded.value().frames > 1)
+  if (decoded.value().commands > 1)
     diagnostics.warn(
         "commands_carried_out", Place::none(),
         "a plain scene has no commands: " + counted(decoded.value().commands, "command") + " in " +

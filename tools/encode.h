@@ -29,7 +29,7 @@ struct EncodeOptions {
   std::string afx;       ///< stream, buffer, none; empty: stream for a plain scene, else none
   std::string pictures;  ///< stream, none; likewise
   std::string choices = "own";
-  bool names = false;
+  std::string names = "auto";
   bool predictive = false;
   bool quantize = false;
   std::vector<std::string> quantize_bits;  ///< "color=8"

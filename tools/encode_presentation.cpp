@@ -167,8 +167,11 @@ int encode_presentation(const EncodeOptions& options, const std::string& format,
                                 path);
     report = std::move(quantized).value();
   }
+  using Names = bifs::EncodingChoices::Names;
   const bifs::EncodingChoices choices{.like_gpac = options.choices == "gpac",
-                                      .use_names = options.names,
+                                      .names = options.names == "auto"     ? Names::automatic
+                                               : options.names == "always" ? Names::always
+                                                                           : Names::never,
                                       .predictive = options.predictive};
   done = bifs::set_up_encoding(presentation, choices, diagnostics);
   if (!done.ok()) return session.fail(done.error(), path, diagnostics);

@@ -118,16 +118,20 @@ Json describe_track(const bifs::Mp4Track& track) {
 /// Hears what is decoded: object descriptors, and the bits that each type of node takes.
 class SceneSurvey final : public bifs::PresentationSink {
  public:
+  explicit SceneSurvey(bool with_units) : with_units_(with_units) {}
+
   Json descriptors = Json::array();
-  Json units = Json::array();
+  Json units = Json::array();  ///< only if they are wanted: they are many
 
   Status begin(const bifs::InitialObjectDescriptor&) override { return {}; }
   Status begin_frame(uint64_t time, bool random_access) override {
-    units.push_back({{"time", time}, {"randomAccess", random_access}, {"commands", Json::array()}});
+    if (with_units_)
+      units.push_back(
+          {{"time", time}, {"randomAccess", random_access}, {"commands", Json::array()}});
     return {};
   }
   Status add(const bifs::Command& command, const nodes::Scene&) override {
-    units.back()["commands"].push_back(std::string(bifs::command_name(command)));
+    if (with_units_) units.back()["commands"].push_back(std::string(bifs::command_name(command)));
     return {};
   }
   Status end_frame() override { return {}; }
@@ -152,6 +156,8 @@ class SceneSurvey final : public bifs::PresentationSink {
     if (!tracks.empty()) out["tracks"] = tracks;
     return out;
   }
+
+  bool with_units_;
 };
 
 /// Bytes by type of node, the largest first.
@@ -186,7 +192,7 @@ int info_of_coded_scene(const Input& input, const Session& session, Diagnostics&
   for (const bifs::Mp4Track& track : movie.tracks) tracks.push_back(describe_track(track));
   out["track"] = tracks;
 
-  SceneSurvey survey;
+  SceneSurvey survey(session.options.json || session.options.verbose);
   bifs::NodeSizes sizes;
   const codec::Trace measure = [&sizes](const codec::TraceElement& element) {
     sizes.hear(element);
@@ -197,7 +203,7 @@ int info_of_coded_scene(const Input& input, const Session& session, Diagnostics&
   how.trace = &measure;
   const auto decoded = bifs::decode_presentation(coded.value().source, movie, how, &survey, first);
   if (!survey.descriptors.empty()) out["objectDescriptor"] = survey.descriptors;
-  if (session.options.json || session.options.verbose) out["accessUnit"] = survey.units;
+  if (!survey.units.empty()) out["accessUnit"] = survey.units;
   out["nodeSizes"] = describe_sizes(sizes.sizes());
   if (!decoded.ok()) return session.fail(decoded.error(), input.path, first);
 

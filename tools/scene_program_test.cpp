@@ -15,7 +15,7 @@ constexpr const char* kScene =
     "#VRML V2.0 utf8\n"
     "Group { children [\n"
     "  DEF MODEL OctreeImage { octreeResolution 4 octree [ 129 255 1 ]\n"
-    "    voxelImageIndex [ 0 1 1 1 1 1 1 1 1 1 1 ]\n"
+    "    voxelImageIndex [ 0 1 1 ]\n"
     "    images [ DepthImage { diTexture SimpleTexture { texture ImageTexture { url \"front.png\" "
     "} } } ] }\n"
     "] }\n";
@@ -99,13 +99,14 @@ TEST_F(SceneProgram, TraceShowsEveryElementOfAnAccessUnit) {
 }
 
 TEST_F(SceneProgram, QuantizationSaysTheLargestErrorOfEachField) {
-  write_file(
-      file("scene.bt"),
-      "Group { children [ Transform { translation 1 2 3.3 } Transform { translation -1 0 7 } "
-      "] }");
+  std::string scene = "Group { children [";
+  for (int i = 0; i < 40; ++i)
+    scene += " Transform { translation " + std::to_string(i) + ".3 2 -7 }";
+  write_file(file("scene.bt"), scene + "] }");
   const Outcome encoded = run("encode scene.bt -o scene.mp4 --quantize --bits position3D=8 --json");
   ASSERT_EQ(encoded.code, 0) << encoded.err;
   const auto json = nlohmann::json::parse(encoded.out);
+  ASSERT_EQ(json["quantized"]["fields"].size(), 1U);
   const auto& field = json["quantized"]["fields"][0];
   EXPECT_EQ(field["field"], "translation");
   EXPECT_EQ(field["bits"], 8);

@@ -1,5 +1,4 @@
 #include <afx/octree_stream.h>
-#include <bifs/xmt_reader.h>
 #include <codec/octree_voxels.h>
 
 #include <cstdio>
@@ -9,7 +8,6 @@ int main() {
   afx::Diagnostics warnings;
   const auto decoded = afx::decode_octree_stream(stream, {}, warnings);
   if (!decoded.status.ok()) return std::puts(to_string(decoded.status.error()).c_str()), 1;
-  if (!afx::bifs::read_xmt("<XMT-A/>", {}, warnings).ok()) return 1;  // links the XML parser too
   const unsigned levels = afx::octree_levels(decoded.stream.resolution);
   const auto voxels = afx::codec::octree_voxels(decoded.stream.frames[0].octree, levels, levels);
   for (const afx::Voxel v : voxels.value()) std::printf("voxel %u %u %u\n", v.x, v.y, v.z);
