@@ -150,7 +150,9 @@ TEST_F(SceneProgram, OptionsThatDoNotGoWithTheFilesAreUsageErrors) {
 
 TEST_F(SceneProgram, StandardInputAndOutputWillDo) {
   write_file(file("scene.wrl"), kScene);
-  EXPECT_EQ(run("encode - --input-format wrl -o - --format mp4 < scene.wrl > x.mp4").code, 0);
+  const Outcome encoded = run("encode - --input-format wrl -o - --format mp4 < scene.wrl");
+  EXPECT_EQ(encoded.code, 0) << encoded.err;
+  write_file(file("x.mp4"), encoded.out);
   EXPECT_EQ(run("compare scene.wrl x.mp4").code, 0);
 }
 
