@@ -12,40 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-/// The first difference between two documents, as a path; empty if there is none. Numbers are equal
-/// if they are the same binary64, or, below the normal range of binary32, the same binary32: the
-/// reader printed more digits there than the shortest form has.
-std::string difference(const json& a, const json& b, const std::string& path) {
-  if (a.is_number() && b.is_number()) {
-    const double x = a.get<double>();
-    const double y = b.get<double>();
-    const bool denormal = std::abs(x) < 1.2e-38 && std::abs(x) > 1e-46;
-    if (x == y || (denormal && static_cast<float>(x) == static_cast<float>(y))) return {};
-    return path + ": " + a.dump() + " and " + b.dump();
-  }
-  if (a.type() != b.type()) return path + ": " + a.dump() + " and " + b.dump();
-  if (a.is_object()) {
-    for (const auto& [key, value] : a.items()) {
-      if (!b.contains(key)) return path + "/" + key + " is missing";
-      const std::string found = difference(value, b[key], path + "/" + key);
-      if (!found.empty()) return found;
-    }
-    for (const auto& [key, value] : b.items())
-      if (!a.contains(key)) return path + "/" + key + " is too much";
-    return {};
-  }
-  if (a.is_array()) {
-    if (a.size() != b.size())
-      return path + ": " + std::to_string(a.size()) + " and " + std::to_string(b.size());
-    for (size_t i = 0; i < a.size(); ++i) {
-      const std::string found = difference(a[i], b[i], path + "/" + std::to_string(i));
-      if (!found.empty()) return found;
-    }
-    return {};
-  }
-  return a == b ? std::string{} : path + ": " + a.dump() + " and " + b.dump();
-}
-
 }  // namespace
 
 class BifsVectors : public testing::TestWithParam<std::string> {};

@@ -181,6 +181,22 @@ TEST_P(EncodedLikeGpac, TheTextGivesTheConfigurationAndTheBitsOfGpac) {
   }
 }
 
+TEST_P(ThroughText, TheJsonOfTheFileIsThatOfTheIndependentReader) {
+  const Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/mp4" /
+                                GetParam() / "scene.mp4");
+  std::string text;
+  const nodes::TextSink keep = [&text](std::string_view piece) -> Status {
+    text += piece;
+    return {};
+  };
+  Diagnostics diagnostics;
+  PresentationDecodeOptions options;
+  options.drop_coding_quantizers = false;
+  const Status done = decode_as_json(mp4_source(file), movie_of(file), options, keep, diagnostics);
+  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  EXPECT_EQ(difference(load_vector(GetParam()).decoded, nlohmann::json::parse(text), ""), "");
+}
+
 TEST_P(ThroughText, FromTheSecondTimeOnTheStreamsAreTheSame) {
   const EncodingChoices choices;
   Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/mp4" / GetParam() /
