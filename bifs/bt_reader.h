@@ -34,14 +34,16 @@ namespace afx::bifs {
 ///
 /// [-1] and [LAST] are the last element, [0] and [FIRST] the first. A node whose DEF name is N<k>
 /// has the ID k + 1 if that is free, other nodes with names the smallest free one; ROUTEs likewise
-/// by R<k> (bifs/id_assignment.h). Access units of the same time are one. Beyond the peer:
-/// `otherDescr [ UnknownDescriptor { tag n data "..." } ]` where descriptors stand, `UnknownCommand
-/// { tag n data
-/// "..." }`, bytes as in byte_text.h.
+/// by R<k> (bifs/id_assignment.h). Access units of one time are one; within a stream times do not
+/// go back. Beyond the peer:
+///
+///     UnknownDescriptor { tag n data "..." }    in otherDescr [ ], and where descriptors stand
+///     UnknownCommand { tag n data "..." }       bytes as in nodes/byte_text.h
 ///
 /// Errors    those of read_scene_text; unsupported: AT ... IN another scene stream
 /// Warnings  those of read_scene_text; top_nodes: several top nodes, or one that may not stand
-///           there, are put under a Group; mux_info: a field of MuxInfo that is left out
+///           there, are put under a Group; mux_info: a field of MuxInfo that is left out;
+///           no_route: R<k> means the ID of a ROUTE that is not there
 /// Source    the dialect of the peer (spec/bifs.md 17)
 Result<Presentation> read_bt(std::string_view text, const Limits& limits, Diagnostics& diagnostics,
                              const nodes::SceneReadOptions& options = {});

@@ -18,8 +18,9 @@ struct EncodingChoices {
   /// - bounds of SFInt32 PROTO fields are written as the bits of floats;
   /// - node insertions at positions above 255 lose the higher bits (a warning says so);
   /// - no coding of numbers but the ones that the text asks for.
+  ///
   /// The text must be read like_gpac too (nodes::SceneReadOptions), for strings and ROUTE IDs.
-  /// Otherwise PROTO IDs are unique in the file, and insertions at such positions are coded as
+  /// Without it PROTO IDs are unique in the file, and insertions at such positions are coded as
   /// insertions of values, which have 16 bits.
   bool like_gpac = false;
   /// Code the names of nodes, ROUTEs, PROTOs and their fields too (USENAMES; MP4Box -def).
