@@ -37,25 +37,25 @@ FieldDefinition without_default(const FieldDefinition& field, FieldType type) {
 
 }  // namespace
 
-/// Reads a command if `word` begins one of the scene.
+/// Reads a command if `word` begins one of the scene. What stands before the first is the scene
+/// that the commands begin with.
 bool BtTextReader::read_scene_command(std::string_view word, Commands& out) {
   using Read = void (BtTextReader::*)(Commands&);
   static constexpr std::pair<std::string_view, Read> kCommands[] = {
       {"INSERT", &BtTextReader::read_insert},
       {"APPEND", &BtTextReader::read_append},
       {"DELETE", &BtTextReader::read_delete},
+      {"XDELETE", &BtTextReader::read_extended_delete},
       {"REPLACE", &BtTextReader::read_replace},
+      {"GLOBALQP", &BtTextReader::read_global_quantizer},
       {"MULTIPLEREPLACE", &BtTextReader::read_multiple_replace},
       {"MULTIPLEINDREPLACE", &BtTextReader::read_multiple_indexed},
       {"XREPLACE", &BtTextReader::read_xreplace},
       {"INSERTPROTO", &BtTextReader::read_insert_proto},
       {"DELETEPROTO", &BtTextReader::read_delete_proto}};
-  if (in_.accept_word("XDELETE"))
-    return out.push_back(NodeDeletion{read_target_node(), true}), true;
-  if (in_.accept_word("GLOBALQP"))
-    return out.push_back(GlobalQuantizer{read_node_or_null(scope_)}), true;
   for (const auto& [name, read] : kCommands) {
     if (name != word) continue;
+    end_scene();
     in_.take_word();
     const TextCursor::Context outer = std::exchange(in_.context, {name, {}});
     (this->*read)(out);
@@ -64,6 +64,14 @@ bool BtTextReader::read_scene_command(std::string_view word, Commands& out) {
     return true;
   }
   return false;
+}
+
+void BtTextReader::read_extended_delete(Commands& out) {
+  out.push_back(NodeDeletion{read_target_node(), true});
+}
+
+void BtTextReader::read_global_quantizer(Commands& out) {
+  out.push_back(GlobalQuantizer{read_node_or_null(scope_)});
 }
 
 /// `INSERT AT n.field[i] value`, `INSERT ROUTE`.

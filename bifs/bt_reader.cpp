@@ -70,10 +70,6 @@ void BtTextReader::read_scene_statement(size_t begin) {
   Commands commands;
   OdCommands descriptors;
   const std::string_view word = in_.peek_word();
-  TextCursor ahead = in_;
-  ahead.take_word();
-  const bool is_scene_command = word == "REPLACE" && ahead.peek_word() == "SCENE";
-  if (scene_open_ && is_scene_command) end_scene();
   const bool is_node = is_instance(word);
   if (!is_node && read_descriptor_command(word, descriptors)) {
     if (!in_.ok()) return;
@@ -83,7 +79,6 @@ void BtTextReader::read_scene_statement(size_t begin) {
   }
   if (!is_node && read_scene_command(word, commands)) {
     if (!in_.ok()) return;
-    end_scene();
     auto& unit = std::get<Commands>(unit_at(0, false, true).commands);
     std::move(commands.begin(), commands.end(), std::back_inserter(unit));
     return;

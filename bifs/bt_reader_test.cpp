@@ -73,6 +73,17 @@ TEST(BtReader, AnXreplaceOfAChildMeansTheNodeThatIsThereByThen) {
   EXPECT_EQ(one.scene.type_name(command.child_field->node), "Transform");
 }
 
+TEST(BtReader, ACommandOutsideOfAtComesAfterTheScene) {
+  const Presentation one = read(
+      "DEF A Transform {}\nDEF r ROUTE A.scale TO A.scale\nDELETE ROUTE r\n"
+      "INSERTPROTO [ PROTO P [] { Group {} } ]");
+  ASSERT_EQ(commands(one, 0).size(), 3U);
+  const auto& scene = std::get<SceneReplacement>(commands(one, 0)[0]);
+  EXPECT_TRUE(scene.protos.empty());
+  EXPECT_EQ(std::get<RouteDeletion>(commands(one, 0)[1]).route_id, scene.routes.at(0).id);
+  EXPECT_EQ(std::get<ProtoInsertion>(commands(one, 0)[2]).protos.size(), 1U);
+}
+
 TEST(BtReader, CommandsOfOneTimeAreOneAccessUnit) {
   const Presentation one =
       read(std::string(kLists) + "APPEND TO P.key 2\nAT 5 { DELETE P.key[0] }\nAT 5 { DELETE P }");

@@ -58,6 +58,8 @@ class BtTextReader final : private nodes::SceneTextReader {
   void read_insert(Commands& out);
   void read_append(Commands& out);
   void read_delete(Commands& out);
+  void read_extended_delete(Commands& out);
+  void read_global_quantizer(Commands& out);
   void read_replace(Commands& out);
   void read_replace_scene(Commands& out);
   void read_insert_route(Commands& out);

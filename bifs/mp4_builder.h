@@ -62,8 +62,8 @@ class Mp4Builder {
   /// How long the last sample of a track lasts, in its ticks; 0 where nothing is said.
   void set_last_duration(size_t track, uint32_t ticks);
 
-  /// Works out durations, buffer sizes and bit rates (where a DecoderConfig has 0) and writes. To be
-  /// called once: the samples are handed over.
+  /// Works out durations, buffer sizes and bit rates (where a DecoderConfig has 0) and writes. To
+  /// be called once: the samples are handed over.
   ///
   /// Errors  bad_argument: the first sample of a track is not at time 0, times go back or leave a
   ///         gap of 2^32 ticks, a sample has 4 GB or more; those of write_mp4
