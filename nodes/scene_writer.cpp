@@ -87,8 +87,8 @@ class SceneNames final : public NodeNaming {
 
 }  // namespace
 
-Status write_scene_text(const Scene& scene, const TextSink& sink,
-                        const SceneWriteOptions& options) {
+Status write_scene_text_to(const TextSink& sink, const Scene& scene,
+                           const SceneWriteOptions& options) {
   TextOut out(sink);
   SceneNames names(scene);
   NodeTextWriter writer(out, names);
@@ -105,7 +105,7 @@ std::string write_scene_text(const Scene& scene, const SceneWriteOptions& option
     text += piece;
     return {};
   };
-  (void)write_scene_text(scene, keep, options);  // keeping does not fail
+  (void)write_scene_text_to(keep, scene, options);  // keeping does not fail
   return text;
 }
 

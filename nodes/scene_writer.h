@@ -20,8 +20,8 @@ struct SceneWriteOptions {
 /// text.
 std::string write_scene_text(const Scene& scene, const SceneWriteOptions& options = {});
 /// The same piece by piece. Errors: those of the sink.
-Status write_scene_text(const Scene& scene, const TextSink& sink,
-                        const SceneWriteOptions& options = {});
+Status write_scene_text_to(const TextSink& sink, const Scene& scene,
+                           const SceneWriteOptions& options = {});
 
 /// One value as scene text has it, nodes as "..." or NULL. For messages and dumps.
 std::string value_text(const FieldValue& value);

@@ -90,7 +90,7 @@ Status write_scene(const DecodeOptions& options, const CodedScene& coded,
     if (session.options.dry_run) continue;
     if (Status put = outputs.put(path, picture.bytes); !put.ok()) return put;
   }
-  return nodes::write_scene_text(decoded.value().scene, std::ref(text), {.vrml_header = true});
+  return nodes::write_scene_text_to(std::ref(text), decoded.value().scene, {.vrml_header = true});
 }
 
 Status write_presentation(const std::string& format, const CodedScene& coded,
