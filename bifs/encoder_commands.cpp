@@ -263,6 +263,10 @@ void FrameEncoder::put_node_id(NodeId id) {
     return fail(Errc::bad_argument,
                 id.valid() ? "the " + scene_->type_name(id) + " has no ID [expected one]"
                            : "no node [expected one with an ID]");
+  if (out_ == &frame_ && !known_.contains(id.value))  // a buffer may speak of what comes later
+    return fail(Errc::bad_argument,
+                "the " + scene_->type_name(id) + " with the ID " + std::to_string(number) +
+                    " is not in the stream [expected a node that stands there]");
   if (number > greatest)
     return fail(Errc::bad_argument, "the node ID " + std::to_string(number) + " does not fit " +
                                         std::to_string(int{config_.node_id_bits}) + " bits");

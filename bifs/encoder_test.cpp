@@ -62,6 +62,24 @@ TEST(BifsEncoder, RefusesACommandOnAFieldThatCannotBeAddressed) {
   EXPECT_NE(bytes.error().text.find("DepthImage.farPlane cannot be addressed"), std::string::npos);
 }
 
+TEST(BifsEncoder, RefusesARouteOfANodeThatIsNotInTheStream) {
+  SmallScene small;
+  const NodeId lost = small.scene.add("TimeSensor").value();
+  small.scene.node(lost).id = 1;
+  nodes::Route route;
+  route.from = route.to = lost;
+  route.from_field = small.scene.node(lost).definition->find("isActive");
+  route.to_field = small.scene.node(lost).definition->find("enabled");
+  SceneReplacement command = small.replacement();
+  command.routes = {route};
+  BifsEncoder encoder(four_bits());
+  const auto bytes = encode_frame(encoder, small.scene, {command});
+  ASSERT_FALSE(bytes.ok());
+  EXPECT_EQ(bytes.error().code, Errc::bad_argument);
+  EXPECT_NE(bytes.error().text.find("the TimeSensor with the ID 1 is not in the stream"),
+            std::string::npos);
+}
+
 TEST(BifsEncoder, RefusesIdsAndPositionsThatDoNotFit) {
   SmallScene small;
   small.scene.node(small.group).id = 16;  // 4 bits hold 1 to 15
