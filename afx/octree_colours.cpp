@@ -22,21 +22,6 @@ namespace {
 
 constexpr size_t kChunk = 16384;  // voxels that one task does
 
-/// One sample of a picture as colour; grey fills all three, alpha is handed over as it is.
-Rgba8 colour_at(const Picture& picture, uint32_t i, uint32_t j) {
-  const uint8_t* p = picture.pixel(i, picture.height - 1 - j);
-  switch (picture.components) {
-    case 1:
-      return {p[0], p[0], p[0], 255};
-    case 2:
-      return {p[0], p[0], p[0], p[1]};
-    case 3:
-      return {p[0], p[1], p[2], 255};
-    default:
-      return {p[0], p[1], p[2], p[3]};
-  }
-}
-
 /// A sum of colours in linear light.
 struct ColourSum {
   glm::dvec3 sum{0};
@@ -58,7 +43,7 @@ Rgba8 mean_colour(const Picture& picture, ReferenceProjection::Area area) {
   ColourSum visible, transparent;
   for (uint32_t j = area.j0; j < area.j1; ++j) {
     for (uint32_t i = area.i0; i < area.i1; ++i) {
-      const Rgba8 c = colour_at(picture, i, j);
+      const Rgba8 c = colour_at(picture, i, picture.height - 1 - j);
       (c.a != 0 ? visible : transparent).add(c);
     }
   }
@@ -97,7 +82,7 @@ class Painter {
       const auto area = projection.square(spot, std::ldexp(1.0, -static_cast<int>(level_)));
       if (area.count() > 1) return mean_colour(picture, area);
     }
-    Rgba8 colour = colour_at(picture, pixel.i, pixel.j);
+    Rgba8 colour = colour_at(picture, pixel.i, picture.height - 1 - pixel.j);
     colour.a = 255;
     return colour;
   }

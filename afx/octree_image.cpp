@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <utility>
 
+#include "afx/known_nodes.h"
 #include "afx/media_import.h"
+#include "afx/node_rotation.h"
 #include "afx/octree_stream.h"
-#include "afx/picture_io.h"
+#include "afx/texture_nodes.h"
 #include "nodes/traversal.h"
 
 namespace afx {
@@ -136,44 +137,6 @@ Status read_wrapped(OctreeNode& octree, const NodeView& wrapper, const UrlBase& 
   return status;
 }
 
-/// SFImage has the bottom row first.
-Picture picture_of(const nodes::Image& image) {
-  if (image.samples.empty()) return {};
-  Picture picture(image.width, image.height, image.components);
-  const size_t row = size_t{image.width} * image.components;
-  for (uint32_t y = 0; y < image.height; ++y) {
-    std::copy_n(image.samples.data() + row * (image.height - 1 - y), row, picture.pixel(0, y));
-  }
-  return picture;
-}
-
-/// The picture of a texture node. The Error says why there is none; limit_exceeded is to be passed
-/// on.
-Result<Picture> load_texture(const NodeView& texture, const UrlBase& base, const Limits& limits) {
-  if (!texture.valid()) return Error{Errc::bad_argument, Place::none(), "has no texture"};
-  if (texture.type() == "PixelTexture") return picture_of(texture.get<nodes::Image>("image"));
-  if (texture.type() != "ImageTexture") {
-    return Error{Errc::unsupported, Place::none(),
-                 "has a texture of type " + std::string(texture.type()) +
-                     " (expected ImageTexture or PixelTexture)"};
-  }
-  const auto file = open_url(texture.get<std::vector<Url>>("url"), base, limits);
-  if (!file.ok()) return file.error();
-  return decode_picture(file.value().file.bytes(), file.value().path, limits);
-}
-
-glm::quat quaternion_of(const nodes::Rotation& r) {
-  const glm::vec3 axis{r.x, r.y, r.z};
-  const float length = glm::length(axis);
-  if (!(length > 0)) return {1, 0, 0, 0};
-  return glm::angleAxis(r.angle, axis / length);
-}
-
-nodes::Rotation rotation_of(const glm::quat& q) {
-  const glm::vec3 axis = glm::axis(q);
-  return {axis.x, axis.y, axis.z, glm::angle(q)};
-}
-
 Result<ReferenceImage> read_image(const NodeView& node, const UrlBase& base, const Limits& limits,
                                   Diagnostics& diagnostics) {
   ReferenceImage image;
@@ -182,7 +145,7 @@ Result<ReferenceImage> read_image(const NodeView& node, const UrlBase& base, con
     return image;
   }
   image.position = node.get<glm::vec3>("position");
-  image.orientation = quaternion_of(node.get<nodes::Rotation>("orientation"));
+  image.orientation = quaternion_of<float>(node.get<nodes::Rotation>("orientation"));
   image.field_of_view = node.get<glm::vec2>("fieldOfView");
   if (!node.get<bool>("orthographic")) {
     diagnostics.warn("perspective_image", Place::none(),
@@ -198,19 +161,6 @@ Result<ReferenceImage> read_image(const NodeView& node, const UrlBase& base, con
                      node.label() + ": " + to_string(picture.error()));
   }
   return image;
-}
-
-/// Adds a node and gives it a field; both are known to be right.
-NodeId add_known(nodes::Scene& scene, const char* type) {
-  auto id = scene.add(type);
-  assert(id.ok());
-  return id.value();
-}
-
-void set_known(nodes::Scene& scene, NodeId node, const char* field, nodes::FieldValue value) {
-  const Status status = scene.set(node, field, std::move(value));
-  assert(status.ok());
-  (void)status;
 }
 
 NodeId add_reference_image(nodes::Scene& scene, const ReferenceImageNode& source) {

@@ -31,9 +31,4 @@ struct OctreeModel {
   std::vector<ReferenceImage> images;  ///< at most 255
 };
 
-struct Rgba8 {
-  uint8_t r = 0, g = 0, b = 0, a = 255;
-  bool operator==(const Rgba8&) const = default;
-};
-
 }  // namespace afx
