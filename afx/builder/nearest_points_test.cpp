@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/builder/nearest_points.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <random>
+
+namespace afx {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// On whole numbers there are many equal distances.
+std::vector<glm::vec3> scattered(size_t count) {
+  std::mt19937 random(7);
+  std::vector<glm::vec3> points;
+  for (size_t i = 0; i < count; ++i) {
+    const auto next = [&random] { return static_cast<float>(random() % 16); };
+    const float x = next(), y = next(), z = next();
+    points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
+double squared(const glm::vec3& point, const glm::dvec3& place) {
+  const glm::dvec3 d = glm::dvec3(point) - place;
+  return glm::dot(d, d);
+}
+
+TEST(NearestPoints, FindsWhatLookingAtAllFinds) {
+  const std::vector<glm::vec3> points = scattered(1500);
+  const NearestPoints index(points);
+  for (const glm::vec3& at : scattered(300)) {
+    const glm::dvec3 place = glm::dvec3(at) + 0.5;
+    double smallest = 1e9;
+    for (const glm::vec3& p : points) smallest = std::min(smallest, squared(p, place));
+    std::vector<uint32_t> all;
+    for (uint32_t i = 0; i < points.size(); ++i)
+      if (squared(points[i], place) == smallest) all.push_back(i);
+    const NearestPoints::Nearest nearest = index.nearest(place);
+    EXPECT_EQ(nearest.squared, smallest);
+    EXPECT_THAT(nearest.points(), ::testing::ElementsAreArray(all));
+  }
+}
+
+TEST(NearestPoints, GivesTheFirstFewFromNearToFar) {
+  const std::vector<glm::vec3> points = {{5, 0, 0}, {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}};
+  const NearestPoints index(points);
+  EXPECT_THAT(index.nearest({0, 0, 0}, 3), ElementsAre(1, 3, 2));
+  EXPECT_THAT(index.nearest({0, 0, 0}, 9), SizeIs(4));
+}
+
+TEST(NearestPoints, TellsOfManyEqualOnesOnlySome) {
+  const std::vector<glm::vec3> points(1000, glm::vec3(1, 2, 3));
+  EXPECT_THAT(NearestPoints(points).nearest({0, 0, 0}).points(), SizeIs(NearestPoints::kMostEqual));
+}
+
+TEST(NearestPoints, OfNoneAreNone) {
+  const NearestPoints index({});
+  EXPECT_THAT(index.nearest({0, 0, 0}).points(), IsEmpty());
+  EXPECT_THAT(index.nearest({0, 0, 0}, 3), IsEmpty());
+}
+
+}  // namespace
+}  // namespace afx
