@@ -25,6 +25,9 @@ struct Material {
   uint32_t texture = kNoTexture;  ///< index into Mesh::textures
   Wrap wrap_u = Wrap::repeat;
   Wrap wrap_v = Wrap::repeat;
+  /// Where the alpha of the texture is below this there is no surface; 0 = opaque everywhere. In
+  /// 0..1.
+  float alpha_cutoff = 0;
 };
 
 /// Triangles with their colours. Invariants: every index is in range, all positions and texture
@@ -36,8 +39,8 @@ struct Mesh {
   std::vector<glm::uvec3> triangles;  ///< three positions each, counterclockwise seen from outside
   std::vector<uint32_t> material_of;  ///< for each triangle, index into materials
   std::vector<Material> materials;    ///< at least one where there are triangles
-  std::vector<Picture> textures;      ///< sRGB
-  bool has_colours = false;           ///< the file says what colour the surface has, somewhere
+  std::vector<Picture> textures;  ///< sRGB; with alpha only where materials have an alpha_cutoff
+  bool has_colours = false;       ///< the file says what colour the surface has, somewhere
 };
 
 /// Points with or without colours and normals; arrays are empty or as long as `positions`.

@@ -60,52 +60,40 @@ Cut cut_by_box(const std::array<glm::dvec3, 3>& corners, const glm::ivec3& low, 
 
 }  // namespace
 
-SurfaceColour::SurfaceColour(const Mesh& mesh, const Grid& grid) : mesh_(mesh), grid_(grid) {
-  samplers_.reserve(mesh.textures.size());
-  for (const Picture& texture : mesh.textures) samplers_.emplace_back(texture);
+void SurfaceSum::add(const Paint& paint, const glm::dvec3& direction, double of_area,
+                     double alpha_cutoff) {
+  const double seen = of_area * paint.alpha;
+  light += paint.light * of_area;
+  normal += direction * seen;
+  weight += seen;
+  area += of_area;
+  surplus += of_area * (paint.alpha - alpha_cutoff);
 }
+
+SurfaceColour::SurfaceColour(const Mesh& mesh, const Grid& grid)
+    : mesh_(mesh), grid_(grid), paint_(mesh) {}
 
 SurfaceColour::Piece SurfaceColour::piece(size_t triangle) const {
   const glm::uvec3 v = mesh_.triangles[triangle];
   Piece piece{};
+  piece.triangle = triangle;
+  piece.alpha_cutoff = static_cast<double>(paint_.material(triangle).alpha_cutoff);
   for (int k = 0; k < 3; ++k)
     piece.corners[static_cast<size_t>(k)] = grid_.to_voxels(mesh_.positions[v[k]]);
-  piece.vertices = v;
-  piece.material = &mesh_.materials[mesh_.material_of[triangle]];
   const glm::dvec3 across =
       glm::cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]);
   const double doubled = glm::length(across);
-  if (doubled > 0) piece.normal = across / doubled;
-  if (piece.material->texture == Material::kNoTexture || mesh_.texture_coords.empty() ||
-      !(doubled > 0))
-    return piece;
-  const glm::dvec2 p(mesh_.texture_coords[v[0]]), q(mesh_.texture_coords[v[1]]),
-      r(mesh_.texture_coords[v[2]]);
-  const double on_texture = std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
-  piece.texels = on_texture * samplers_[piece.material->texture].texels() / doubled;
+  if (!(doubled > 0)) return piece;
+  piece.normal = across / doubled;
+  piece.texels = paint_.texels(triangle) / (0.5 * doubled);
   return piece;
-}
-
-glm::dvec3 SurfaceColour::colour_at(const Piece& piece, Weights at, double area) const {
-  const double a = 1 - at.b - at.c;
-  const glm::uvec3 v = piece.vertices;
-  glm::dvec3 colour(piece.material->colour);
-  if (!mesh_.colours.empty())
-    colour *= a * glm::dvec3(mesh_.colours[v[0]]) + at.b * glm::dvec3(mesh_.colours[v[1]]) +
-              at.c * glm::dvec3(mesh_.colours[v[2]]);
-  if (piece.material->texture == Material::kNoTexture || mesh_.texture_coords.empty())
-    return colour;
-  const glm::dvec2 place = a * glm::dvec2(mesh_.texture_coords[v[0]]) +
-                           at.b * glm::dvec2(mesh_.texture_coords[v[1]]) +
-                           at.c * glm::dvec2(mesh_.texture_coords[v[2]]);
-  return colour * glm::dvec3(samplers_[piece.material->texture].sample(
-                      place, area, piece.material->wrap_u, piece.material->wrap_v));
 }
 
 // Divides a part of the triangle into 1, 4 or 16 equal ones and takes the colour at their middles,
 // each the mean over as many texels as it covers.
-void SurfaceColour::add_light(const Piece& piece, const std::array<Weights, 3>& corners,
-                              double area, SurfaceSum& sum) const {
+Paint SurfaceColour::mean_paint(const Piece& piece, const std::array<Weights, 3>& corners,
+                                double area) const {
+  Paint mean{{0, 0, 0}, 0};
   const double texels = area * piece.texels;
   const int parts = texels <= 1 ? 1 : (texels <= 16 ? 2 : 4);
   const double share = 1.0 / (parts * parts);
@@ -113,7 +101,9 @@ void SurfaceColour::add_light(const Piece& piece, const std::array<Weights, 3>& 
   const auto add_at = [&](double s, double t) {
     const Weights at{p.b + (q.b - p.b) * s + (r.b - p.b) * t,
                      p.c + (q.c - p.c) * s + (r.c - p.c) * t};
-    sum.light += colour_at(piece, at, texels * share) * (area * share);
+    const Paint paint = paint_.at(piece.triangle, at, texels * share);
+    mean.light += paint.light * share;
+    mean.alpha += paint.alpha * share;
   };
   for (int i = 0; i < parts; ++i) {
     for (int j = 0; i + j < parts; ++j) {
@@ -121,10 +111,12 @@ void SurfaceColour::add_light(const Piece& piece, const std::array<Weights, 3>& 
       if (i + j + 1 < parts) add_at((i + 2.0 / 3) / parts, (j + 2.0 / 3) / parts);
     }
   }
+  return mean;
 }
 
 void SurfaceColour::add(const Piece& piece, const glm::ivec3& low, double margin,
                         SurfaceSum& sum) const {
+  sum.has_opaque = sum.has_opaque || !(piece.alpha_cutoff > 0);
   const Cut cut = cut_by_box(piece.corners, low, margin);
   const CutCorner& first = cut.corners[0];
   for (size_t i = 2; i < cut.count; ++i) {
@@ -132,18 +124,15 @@ void SurfaceColour::add(const Piece& piece, const glm::ivec3& low, double margin
     const glm::dvec3 across = glm::cross(before.place - first.place, here.place - first.place);
     const double area = 0.5 * glm::length(across);
     if (!(area > 0)) continue;
-    sum.area += area;
-    sum.normal += piece.normal * area;
-    add_light(piece,
-              {Weights{first.b, first.c}, Weights{before.b, before.c}, Weights{here.b, here.c}},
-              area, sum);
+    const Paint paint = mean_paint(
+        piece, {Weights{first.b, first.c}, Weights{before.b, before.c}, Weights{here.b, here.c}},
+        area);
+    sum.add(paint, piece.normal, area, piece.alpha_cutoff);
   }
 }
 
-void SurfaceColour::add_touch(const Piece& piece, SurfaceSum& sum) const {
-  sum.area += 1;
-  sum.normal += piece.normal;
-  sum.light += colour_at(piece, {1.0 / 3, 1.0 / 3}, 1);
+void SurfaceColour::add_touch(const Piece& piece, double area, SurfaceSum& sum) const {
+  sum.add(paint_.at(piece.triangle, {1.0 / 3, 1.0 / 3}, 1), piece.normal, area, piece.alpha_cutoff);
 }
 
 }  // namespace afx

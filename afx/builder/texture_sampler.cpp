@@ -48,23 +48,24 @@ TextureSampler::TextureSampler(const Picture& picture) : picture_(&picture) {
     levels_.push_back(half(levels_.size() - 1));
 }
 
-glm::vec3 TextureSampler::texel(size_t level, uint32_t x, uint32_t y) const {
-  if (level > 0) {
-    const uint16_t* rgb =
-        levels_[level].samples.data() + (size_t{y} * levels_[level].width + x) * 3;
-    return glm::vec3(rgb[0], rgb[1], rgb[2]) / kOne;
+glm::vec4 TextureSampler::texel(size_t level, uint32_t x, uint32_t y) const {
+  if (level == 0) {
+    const auto& linear = srgb_to_linear();
+    const uint8_t* s = picture_->pixel(x, y);
+    const float alpha = has_alpha() ? static_cast<float>(s[picture_->components - 1]) / 255 : 1;
+    if (picture_->components < 3) return {glm::vec3(linear[s[0]]) * alpha, alpha};
+    return {glm::vec3(linear[s[0]], linear[s[1]], linear[s[2]]) * alpha, alpha};
   }
-  const uint8_t* sample = picture_->pixel(x, y);
-  const auto& linear = srgb_to_linear();
-  if (picture_->components < 3) return glm::vec3(linear[sample[0]]);
-  return {linear[sample[0]], linear[sample[1]], linear[sample[2]]};
+  const Level& from = levels_[level];
+  const uint16_t* s = from.samples.data() + (size_t{y} * from.width + x) * samples_a_texel();
+  return {s[0] / kOne, s[1] / kOne, s[2] / kOne, has_alpha() ? s[3] / kOne : 1.0F};
 }
 
 // The mean of what lies under each new texel; where a side is odd, of 2 or 3 texels by their share.
 TextureSampler::Level TextureSampler::half(size_t level) const {
   const Level& fine = levels_[level];
   Level coarse{std::max(1U, fine.width / 2), std::max(1U, fine.height / 2), {}};
-  coarse.samples.resize(size_t{coarse.width} * coarse.height * 3);
+  coarse.samples.resize(size_t{coarse.width} * coarse.height * samples_a_texel());
   // In units of 1/coarse of a fine texel, new texel i covers [i*fine, (i+1)*fine).
   const auto share = [](uint64_t i, uint64_t cell, uint64_t fine_size, uint64_t coarse_size) {
     const uint64_t low = std::max(i * fine_size, cell * coarse_size);
@@ -77,20 +78,20 @@ TextureSampler::Level TextureSampler::half(size_t level) const {
     for (uint32_t x = 0; x < coarse.width; ++x) {
       const auto x0 = static_cast<uint32_t>(uint64_t{x} * fine.width / coarse.width);
       const auto x1 = static_cast<uint32_t>((uint64_t{x + 1} * fine.width - 1) / coarse.width);
-      glm::vec3 sum(0);
+      glm::vec4 sum(0);
       for (uint32_t b = y0; b <= y1; ++b)
         for (uint32_t a = x0; a <= x1; ++a)
           sum += texel(level, a, b) * share(x, a, fine.width, coarse.width) *
                  share(y, b, fine.height, coarse.height);
-      uint16_t* to = coarse.samples.data() + (size_t{y} * coarse.width + x) * 3;
-      for (int k = 0; k < 3; ++k)
+      uint16_t* to = coarse.samples.data() + (size_t{y} * coarse.width + x) * samples_a_texel();
+      for (int k = 0; k < static_cast<int>(samples_a_texel()); ++k)
         to[k] = static_cast<uint16_t>(std::min(sum[k], 1.0F) * kOne + 0.5F);
     }
   }
   return coarse;
 }
 
-glm::vec3 TextureSampler::sample(glm::dvec2 place, double area, Wrap wrap_u, Wrap wrap_v) const {
+glm::vec4 TextureSampler::sample(glm::dvec2 place, double area, Wrap wrap_u, Wrap wrap_v) const {
   // Texels of level n have the area 4^n; that level stands for areas from half to twice as large.
   // An area beyond all of the texture, up to infinity, is the coarsest.
   size_t level = levels_.size() - 1;
@@ -102,9 +103,9 @@ glm::vec3 TextureSampler::sample(glm::dvec2 place, double area, Wrap wrap_u, Wra
   const Pair x = neighbours(into_unit(place.x, wrap_u), at.width, wrap_u);
   const Pair y =
       neighbours(1 - into_unit(place.y, wrap_v), at.height, wrap_v);  // rows from the top
-  const glm::vec3 upper =
+  const glm::vec4 upper =
       glm::mix(texel(level, x.first, y.first), texel(level, x.second, y.first), x.weight);
-  const glm::vec3 lower =
+  const glm::vec4 lower =
       glm::mix(texel(level, x.first, y.second), texel(level, x.second, y.second), x.weight);
   return glm::mix(upper, lower, y.weight);
 }

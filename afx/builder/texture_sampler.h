@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "afx/builder/mesh.h"
@@ -13,17 +13,17 @@
 namespace afx {
 
 /// A texture with the means over 2 x 2, 4 x 4, ... texels (a mip pyramid), all taken in linear
-/// light. Alpha is not looked at. The picture must stay where it is.
+/// light and weighted by alpha where there is alpha. The picture must stay where it is.
 class TextureSampler {
  public:
   /// picture   not empty, 1..4 components, sRGB
   explicit TextureSampler(const Picture& picture);
 
-  /// The mean colour, in linear light, around a place: bilinear at the level whose texels are
-  /// nearest in size to the area asked for.
+  /// The means of linear light times alpha (r, g, b) and of alpha (a; 1 where the picture has none)
+  /// around a place: bilinear at the level whose texels are nearest in size to the area asked for.
   /// place   texture coordinates, finite, (0, 0) the lower left corner
   /// area    in texels of the picture; 1 and less: the picture itself
-  [[nodiscard]] glm::vec3 sample(glm::dvec2 place, double area, Wrap wrap_u, Wrap wrap_v) const;
+  [[nodiscard]] glm::vec4 sample(glm::dvec2 place, double area, Wrap wrap_u, Wrap wrap_v) const;
 
   [[nodiscard]] double texels() const {
     return static_cast<double>(picture_->width) * picture_->height;
@@ -32,10 +32,13 @@ class TextureSampler {
  private:
   struct Level {
     uint32_t width, height;
-    std::vector<uint16_t>
-        samples;  // RGB, linear, 65535 = 1; empty at level 0: the picture has them
+    // Linear light times alpha in three samples, and alpha if the picture has it; 65535 = 1. Empty
+    // at level 0: the picture has them.
+    std::vector<uint16_t> samples;
   };
-  [[nodiscard]] glm::vec3 texel(size_t level, uint32_t x, uint32_t y) const;
+  [[nodiscard]] bool has_alpha() const { return picture_->components % 2 == 0; }
+  [[nodiscard]] size_t samples_a_texel() const { return has_alpha() ? 4 : 3; }
+  [[nodiscard]] glm::vec4 texel(size_t level, uint32_t x, uint32_t y) const;
   [[nodiscard]] Level half(size_t level) const;
 
   const Picture* picture_;

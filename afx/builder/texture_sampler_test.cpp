@@ -69,11 +69,36 @@ TEST(TextureSampler, TakesAnyArea) {
   EXPECT_EQ(sampler.sample({0.1, 0.5}, nan, Wrap::clamp, Wrap::clamp).r, 0);
 }
 
-TEST(TextureSampler, LooksAtNoAlpha) {
-  Picture picture(1, 1, 4);
-  picture.samples = {255, 0, 255, 0};
-  const glm::vec3 colour = TextureSampler(picture).sample({0, 0}, 1, Wrap::repeat, Wrap::repeat);
-  EXPECT_EQ(colour, glm::vec3(1, 0, 1));
+TEST(TextureSampler, WeightsLightByAlpha) {
+  // Red and half there, beside green that is not there: nothing of the green, at any size.
+  Picture picture(2, 1, 4);
+  picture.samples = {255, 0, 0, 128, 0, 255, 0, 0};
+  const TextureSampler sampler(picture);
+  constexpr float kAlpha = 128 / 255.0F;
+  const auto at = [&](double u, double area) {
+    return sampler.sample({u, 0.5}, area, Wrap::clamp, Wrap::clamp);
+  };
+  EXPECT_EQ(at(0.25, 1), glm::vec4(kAlpha, 0, 0, kAlpha));
+  EXPECT_EQ(at(0.75, 1), glm::vec4(0));
+  EXPECT_EQ(at(0.5, 1), glm::vec4(kAlpha, 0, 0, kAlpha) / 2.0F);
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(at(0.1, 2)[k], (k % 3 == 0 ? kAlpha / 2 : 0), 1e-5);
+}
+
+TEST(TextureSampler, TakesGreyWithAlpha) {
+  Picture picture(1, 1, 2);
+  picture.samples = {255, 51};
+  const glm::vec4 at = TextureSampler(picture).sample({0, 0}, 1, Wrap::repeat, Wrap::repeat);
+  for (int k = 0; k < 4; ++k) EXPECT_FLOAT_EQ(at[k], 0.2F);
+}
+
+TEST(TextureSampler, WithoutAlphaAllIsOpaque) {
+  for (const uint32_t components : {1U, 3U}) {
+    const Picture picture(4, 4, components);
+    const TextureSampler sampler(picture);
+    for (const double area : {1.0, 16.0})
+      EXPECT_EQ(sampler.sample({0.3, 0.3}, area, Wrap::repeat, Wrap::repeat),
+                glm::vec4(0, 0, 0, 1));
+  }
 }
 
 }  // namespace

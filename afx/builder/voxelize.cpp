@@ -62,11 +62,6 @@ Result<std::vector<uint64_t>> triangles_by_block(const Mesh& mesh, const Grid& g
   return pairs;
 }
 
-Rgba8 to_srgb(const glm::dvec3& linear) {
-  const auto byte = [](double value) { return linear_to_srgb(static_cast<float>(value)); };
-  return {byte(linear.x), byte(linear.y), byte(linear.z), 255};
-}
-
 glm::vec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 1e-9 ? glm::vec3(v / length) : glm::vec3(0);
@@ -89,8 +84,7 @@ class BlockBuilder {
     constexpr double kMargin = 1.0 / 32;
     touched_ = std::vector<bool>(sums_.size());
     bool any = false;
-    for (size_t i = 0; i < sums_.size(); ++i)
-      any = (touched_[i] = sums_[i].area < kLeastArea) || any;
+    for (size_t i = 0; i < sums_.size(); ++i) any = (touched_[i] = is_touched(sums_[i])) || any;
     if (any)
       for (const uint64_t pair : pairs) add_triangle(pair & 0xFFFFFFFF, kMargin);
     return collect();
@@ -98,6 +92,10 @@ class BlockBuilder {
 
  private:
   static constexpr double kLeastArea = 1e-5;
+
+  static bool is_touched(const SurfaceSum& sum) {
+    return (sum.has_opaque ? sum.weight : sum.area) < kLeastArea;
+  }
 
   void add_triangle(size_t triangle, double margin) {
     const TriangleCells cells(fixed_corners(mesh_, grid_, triangle), kSubvoxelBits);
@@ -114,17 +112,10 @@ class BlockBuilder {
       if (margin > 0 && !touched_[slot - 1]) return;
       const double before = sum.area;
       colour_.add(piece, low, margin, sum);
-      if (margin > 0 && !(sum.area - before > kLeastArea)) add_little_touch(piece, sum);
+      // A touch counts for next to nothing beside surface that has an area.
+      if (margin > 0 && !(sum.area - before > kLeastArea))
+        colour_.add_touch(piece, kLeastArea, sum);
     });
-  }
-
-  // Counts for next to nothing beside surface that has an area.
-  void add_little_touch(const SurfaceColour::Piece& piece, SurfaceSum& sum) const {
-    SurfaceSum touch;
-    colour_.add_touch(piece, touch);
-    sum.area += touch.area * kLeastArea;
-    sum.light += touch.light * kLeastArea;
-    sum.normal += touch.normal * kLeastArea;
   }
 
   [[nodiscard]] SurfaceVoxels collect() const {
@@ -135,9 +126,10 @@ class BlockBuilder {
     for (size_t local = 0; local < kBlockVoxels; ++local) {
       if (slot_of_[local] == 0) continue;
       const SurfaceSum& sum = sums_[slot_of_[local] - 1];
+      if (!sum.is_there()) continue;
       voxels.codes.push_back(block_ << (3 * kBlockBits) | local);
-      voxels.colours.push_back(to_srgb(sum.light / sum.area));
-      voxels.normals.push_back(unit_or_zero(sum.normal / sum.area));
+      voxels.colours.push_back(to_srgb(sum.light / sum.weight));
+      voxels.normals.push_back(unit_or_zero(sum.normal / sum.weight));
     }
     return voxels;
   }
@@ -211,6 +203,8 @@ Result<SurfaceVoxels> voxelize(const Mesh& mesh, const Grid& grid, unsigned thre
     if (done) done(static_cast<double>(finished) / static_cast<double>(blocks.size()));
   });
   if (count > most) return too_many_voxels();
+  if (count == 0 && !blocks.empty())
+    return Error{Errc::bad_argument, {}, "all of the surface is transparent", {}, {}};
   return join(parts, count);
 }
 

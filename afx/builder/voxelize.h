@@ -26,14 +26,17 @@ struct SurfaceVoxels {
 
 /// The voxels that the triangles of a mesh pass through, exactly (see triangle_cells.h), with the
 /// mean colour of the surface inside each. The voxels of a closed mesh enclose its inside: no path
-/// from voxel to neighbouring voxel leads in.
+/// from voxel to neighbouring voxel leads in. A voxel that only surface with an alpha_cutoff passes
+/// through is set where the mean of alpha over that surface in it reaches the cutoff; transparent
+/// parts have no say in colours.
 ///
 /// mesh      as its invariants say
 /// threads   0 = all cores; the result is the same for any number
 /// done      called with 0..1 as the work goes on, from any thread, one at a time; may be empty
 /// Memory    24 bytes a voxel twice, 8 for each triangle in each block of 32 x 32 x 32 voxels that
-/// it meets Errors    limit_exceeded: more voxels than limits.octree_nodes, memory beyond
-/// limits.memory
+/// it meets
+/// Errors    limit_exceeded: more voxels than limits.octree_nodes, memory beyond limits.memory;
+///           bad_argument: all of the surface is transparent
 Result<SurfaceVoxels> voxelize(const Mesh& mesh, const Grid& grid, unsigned threads,
                                const Limits& limits, const std::function<void(double)>& done = {});
 

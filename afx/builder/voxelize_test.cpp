@@ -248,5 +248,57 @@ TEST(VoxelizePoints, PutsEachPointIntoItsVoxel) {
   EXPECT_EQ(voxels.value().colours[2], (Rgba8{0, 255, 0, 255}));
 }
 
+// A square whose texture is red and opaque on the left, green and transparent on the right.
+Mesh half_there() {
+  Picture texture(16, 16, 4);
+  for (uint32_t y = 0; y < 16; ++y)
+    for (uint32_t x = 0; x < 16; ++x) {
+      texture.pixel(x, y)[x < 8 ? 0 : 1] = 255;
+      texture.pixel(x, y)[3] = x < 8 ? 255 : 0;
+    }
+  Mesh mesh = textured_square(texture);
+  mesh.materials[0].alpha_cutoff = 0.5F;
+  return mesh;
+}
+
+TEST(Voxelize, LeavesOutWhereTheTextureIsTransparent) {
+  const SurfaceVoxels voxels = voxels_of(half_there(), 16);
+  EXPECT_EQ(voxels.codes.size(), 8U * 16);
+  for (size_t i = 0; i < voxels.codes.size(); ++i) {
+    EXPECT_LT(codec::morton_decode(voxels.codes[i]).x, 8U);
+    EXPECT_EQ(voxels.colours[i], (Rgba8{255, 0, 0, 255}));  // nothing of the green beside it
+    EXPECT_EQ(voxels.normals[i], glm::vec3(0, 0, 1));
+  }
+}
+
+TEST(Voxelize, AVoxelIsThereWhereMeanAlphaReachesTheCutoff) {
+  // A quarter of the texels of every voxel is opaque.
+  Picture texture(64, 64, 4);
+  for (uint32_t y = 0; y < 64; y += 2)
+    for (uint32_t x = 0; x < 64; x += 2) texture.pixel(x, y)[3] = 255;
+  Mesh mesh = textured_square(texture);
+  mesh.materials[0].alpha_cutoff = 0.24F;
+  EXPECT_EQ(voxels_of(mesh, 8).codes.size(), 64U);
+  mesh.materials[0].alpha_cutoff = 0.26F;
+  const Grid grid(bounds_of(mesh.positions), 8);
+  const auto none = voxelize(mesh, grid, 1, Limits());
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().code, Errc::bad_argument);
+  EXPECT_EQ(none.error().text, "all of the surface is transparent");
+}
+
+TEST(Voxelize, OpaqueSurfaceStaysWhateverLiesOnIt) {
+  Mesh mesh = half_there();
+  for (uint8_t& sample : mesh.textures[0].samples) sample = 0;
+  mesh.materials.push_back({.colour = {0, 0, 1}});
+  for (size_t t = 0; t < 2; ++t) {
+    mesh.triangles.push_back(mesh.triangles[t]);
+    mesh.material_of.push_back(1);
+  }
+  const SurfaceVoxels voxels = voxels_of(mesh, 16);
+  EXPECT_EQ(voxels.codes.size(), 16U * 16);
+  for (const Rgba8& colour : voxels.colours) EXPECT_EQ(colour, (Rgba8{0, 0, 255, 255}));
+}
+
 }  // namespace
 }  // namespace afx
