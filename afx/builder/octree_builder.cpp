@@ -80,25 +80,6 @@ Bounds bounds_of_surface(const Mesh& mesh) {
   return bounds;
 }
 
-// What a model says about the colours of its surface.
-enum class Colouring {
-  none,    // nothing
-  plain,   // one colour for each material
-  painted  // textures, or colours of vertices or points
-};
-
-Colouring colouring_of(const Mesh& mesh) {
-  if (!mesh.colours.empty()) return Colouring::painted;
-  for (const uint32_t material : mesh.material_of)
-    if (mesh.materials[material].texture != Material::kNoTexture && !mesh.texture_coords.empty())
-      return Colouring::painted;
-  return mesh.has_colours ? Colouring::plain : Colouring::none;
-}
-
-bool is_to_be_shaded(Colouring colouring, Shade shade) {
-  return shade == Shade::always || (shade == Shade::automatic && colouring != Colouring::painted);
-}
-
 void shade(SurfaceVoxels& voxels, bool coloured, unsigned levels, unsigned threads) {
   const bool known = std::any_of(voxels.normals.begin(), voxels.normals.end(),
                                  [](const glm::vec3& n) { return n != glm::vec3(0); });
@@ -266,8 +247,7 @@ Result<BuiltOctree> build_octree(const PointCloud& given, const BuildOptions& op
   const glm::dvec3 origin = options.up == UpAxis::z
                                 ? glm::dvec3(given.origin.x, given.origin.z, -given.origin.y)
                                 : given.origin;
-  return finish(std::move(voxels).value(), grid, options,
-                cloud.colours.empty() ? Colouring::none : Colouring::painted,
+  return finish(std::move(voxels).value(), grid, options, colouring_of(cloud),
                 cloud.positions.size(), origin);
 }
 

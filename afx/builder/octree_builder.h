@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "afx/builder/mesh.h"
+#include "afx/builder/shading.h"
 #include "afx/octree_model.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
@@ -23,21 +24,11 @@ inline constexpr uint32_t kMaxBuildResolution = 2048;
 /// Which axis of the input points up; the model is turned so that it becomes y.
 enum class UpAxis : uint8_t { y, z };
 
-/// Whether a soft light from above and in front is painted into the voxels: nobody lights an
-/// OctreeImage later, and one colour all over shows nothing but an outline.
-enum class Shade : uint8_t {
-  automatic,  ///< meshes without textures and vertex colours, points without colours
-  always,     ///< whatever the colours
-  never
-};
-
 struct BuildOptions {
   uint32_t resolution = 256;  ///< voxels along the longest side of the object, 1..2048
   uint32_t image_size = 0;  ///< pixels along a side of the reference images, 1..4096; 0 = 2^levels
   unsigned threads = 0;     ///< 0 = all cores; the result is the same for any number
   UpAxis up = UpAxis::y;
-  /// What has no colours at all becomes grey under the light (voxel_shading.h); colours are
-  /// darkened where they face away from it.
   Shade shade = Shade::automatic;
   /// Called as the work goes on with a stage's name and 0..1 of the whole, from any thread but from
   /// one at a time.
