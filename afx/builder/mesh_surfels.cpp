@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "afx/builder/mesh_raster.h"
-#include "afx/builder/view_choice.h"
+#include "afx/builder/view_plan.h"
 #include "afx/builder/view_sources.h"
 #include "codec/parallel.h"
 

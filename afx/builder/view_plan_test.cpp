@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
-#include "afx/builder/view_choice.h"
+#include "afx/builder/view_plan.h"
 
 #include <gtest/gtest.h>
 

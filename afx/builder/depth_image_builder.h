@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Models to sets of DepthImages: box texture, generalized box texture. Source: the paper, sections
+// III and VII.A.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "afx/builder/view_plan.h"
+#include "afx/builder/view_source.h"
+#include "afx/depth_image.h"
+#include "codec/error.h"
+
+namespace afx {
+
+/// The greatest resolution of pictures that a builder makes.
+inline constexpr uint32_t kMaxPictureResolution = 16384;
+
+struct DepthImageOptions {
+  uint32_t resolution = 256;  ///< pixels along the model's longest side, 1..kMaxPictureResolution
+  bool orthographic = true;
+  unsigned depth_bits = 8;  ///< 8 or 16
+  unsigned views = 6;       ///< evenly spread, 1..kMostViews; 0: as many as show nearly everything
+  std::vector<Shot> shots = {};  ///< not empty: these cameras instead, as they are
+  bool coverage = false;  ///< measure it (always done for views = 0): takes the time of 128 views
+  /// Called as the work goes on with a stage's name and 0..1 of the whole.
+  std::function<void(const char* stage, double done)> progress = {};
+};
+
+struct BuiltDepthImages {
+  std::vector<DepthImage> images;    ///< in the order of the views, in the model's coordinates
+  std::optional<Coverage> coverage;  ///< where it was measured
+  uint64_t pixels = 0;               ///< of all pictures
+  uint64_t used = 0;                 ///< of those, the ones that show the model
+};
+
+/// Takes the pictures.
+/// Errors  bad_argument: options out of range; those of the source (a camera of `shots` that cannot
+///         be, limits)
+Result<BuiltDepthImages> build_depth_images(const ViewSource& source,
+                                            const DepthImageOptions& options);
+
+}  // namespace afx
