@@ -7,6 +7,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <exception>
@@ -42,6 +43,47 @@ Wrap wrap_of(int mode) {
   return mode == aiTextureMapMode_Mirror ? Wrap::mirror : Wrap::repeat;
 }
 
+std::string texture_name(const aiMaterial& material, aiTextureType type) {
+  aiString name;
+  return material.GetTexture(type, 0, &name) == aiReturn_SUCCESS ? name.C_Str() : std::string();
+}
+
+std::optional<aiTextureType> colour_texture(const aiMaterial& material) {
+  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
+    if (!texture_name(material, type).empty()) return type;
+  return {};
+}
+
+// How a material lets light through.
+struct Transparency {
+  AlphaRule rule = AlphaRule::if_mixed;
+  float cutoff = 0.5F;   // of the texture's alpha; above 1 nothing of the material can be seen
+  bool blended = false;  // not meant to be cut, but to shine through
+};
+
+// An alpha of one half is where surface begins, unless the file says otherwise. The material's own
+// opacity multiplies the texture's alpha; an opacity of 0 where no format defines it is a mistake
+// of an exporter: nobody models what cannot be seen.
+Transparency transparency_of(const aiMaterial& material, const aiColor4D& base_colour) {
+  Transparency transparency;
+  float opacity = 1;
+  aiString mode;
+  if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
+    const std::string_view name(mode.C_Str());
+    if (name != "MASK" && name != "BLEND") return {AlphaRule::ignore, 0, false};
+    transparency.rule = AlphaRule::as_is;
+    transparency.blended = name == "BLEND";
+    if (!transparency.blended) material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, transparency.cutoff);
+    opacity = base_colour.a;
+  } else if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) {
+    if (!(opacity > 0 && opacity <= 1)) opacity = 1;
+    transparency.blended = opacity < 1;
+  }
+  transparency.cutoff = std::max(0.0F, transparency.cutoff) / std::max(0.0F, opacity);
+  if (!(transparency.cutoff > 0)) return {AlphaRule::ignore, 0, false};  // nothing is below 0
+  return transparency;
+}
+
 // Turns an imported scene into a Mesh.
 class SceneConverter {
  public:
@@ -57,8 +99,7 @@ class SceneConverter {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
       if (Status status = add_material(*scene_.mMaterials[i]); !status.ok()) return status.error();
     mesh_.materials.emplace_back();  // for meshes that name none
-    named_.push_back(false);
-    uv_channels_.push_back(0);
+    traits_.emplace_back();
     mesh_.textures = std::move(textures_.textures());
     if (Status status = add_nodes(); !status.ok()) return status.error();
     warn();
@@ -68,11 +109,12 @@ class SceneConverter {
 
  private:
   [[nodiscard]] std::string no_triangles() const {
-    if (not_finite_ + bad_indices_ == 0) return "the file has no triangles (expected a mesh)";
-    return "none of the file's " + std::to_string(not_finite_ + bad_indices_) +
-           " triangles can be used (" + std::to_string(not_finite_) +
-           " have coordinates that are not finite, " + std::to_string(bad_indices_) +
-           " name vertices that are not there)";
+    const uint64_t left_out = not_finite_ + bad_indices_ + transparent_;
+    if (left_out == 0) return "the file has no triangles (expected a mesh)";
+    return "none of the file's " + std::to_string(left_out) + " triangles can be used (" +
+           std::to_string(not_finite_) + " have coordinates that are not finite, " +
+           std::to_string(bad_indices_) + " name vertices that are not there, " +
+           std::to_string(transparent_) + " are transparent)";
   }
 
   glm::vec3 linear(const aiColor4D& colour) const {
@@ -98,37 +140,44 @@ class SceneConverter {
                             from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
     const bool named = has_colour && !is_made_up(from, colour);
     material.colour = linear(colour);
+    const Transparency transparency = transparency_of(from, colour);
     unsigned uv_channel = 0;
-    if (Status status = add_texture(from, material, uv_channel); !status.ok()) return status;
+    if (Status status = add_texture(from, transparency.rule, material, uv_channel); !status.ok())
+      return status;
     const bool textured = material.texture != Material::kNoTexture;
     // Many exporters leave black beside a texture that replaces it; black times the texture would
     // show nothing.
-    if (textured && !linear_colours_ && material.colour == glm::vec3(0))
+    if (textured && colour_texture(from) && !linear_colours_ && material.colour == glm::vec3(0))
       material.colour = glm::vec3(1);
+    const bool has_alpha = textured && textures_.textures()[material.texture].components % 2 == 0;
+    if (has_alpha) material.alpha_cutoff = transparency.cutoff;
+    if (transparency.blended && (has_alpha || transparency.cutoff > 0.5F)) ++blended_;
     mesh_.materials.push_back(material);
-    named_.push_back(named || textured);
-    uv_channels_.push_back(uv_channel);
+    traits_.push_back({named || textured, transparency.cutoff > 1, uv_channel});
     return {};
   }
 
-  Status add_texture(const aiMaterial& from, Material& material, unsigned& uv_channel) {
-    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-      aiString name;
-      if (from.GetTexture(type, 0, &name) != aiReturn_SUCCESS || name.length == 0) continue;
-      const Result<std::optional<uint32_t>> number = textures_.load(name.C_Str());
-      if (!number.ok()) return number.error();
-      if (!number.value()) return {};
-      material.texture = *number.value();
-      int mode = 0, channel = 0;
-      if (from.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), mode) == aiReturn_SUCCESS)
-        material.wrap_u = wrap_of(mode);
-      if (from.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), mode) == aiReturn_SUCCESS)
-        material.wrap_v = wrap_of(mode);
-      if (from.Get(AI_MATKEY_UVWSRC(type, 0), channel) == aiReturn_SUCCESS && channel >= 0 &&
-          channel < AI_MAX_NUMBER_OF_TEXTURECOORDS)
-        uv_channel = static_cast<unsigned>(channel);
-      return {};
+  Status add_texture(const aiMaterial& from, AlphaRule rule, Material& material,
+                     unsigned& uv_channel) {
+    TextureNames names{{}, {}, rule};
+    aiTextureType type = aiTextureType_OPACITY;
+    if (rule == AlphaRule::if_mixed) names.opacity = texture_name(from, type);
+    if (const auto colour = colour_texture(from)) {
+      type = *colour;
+      names.colour = texture_name(from, type);
     }
+    const Result<std::optional<uint32_t>> number = textures_.load(names);
+    if (!number.ok()) return number.error();
+    if (!number.value()) return {};
+    material.texture = *number.value();
+    int mode = 0, channel = 0;
+    if (from.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), mode) == aiReturn_SUCCESS)
+      material.wrap_u = wrap_of(mode);
+    if (from.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), mode) == aiReturn_SUCCESS)
+      material.wrap_v = wrap_of(mode);
+    if (from.Get(AI_MATKEY_UVWSRC(type, 0), channel) == aiReturn_SUCCESS && channel >= 0 &&
+        channel < AI_MAX_NUMBER_OF_TEXTURECOORDS)
+      uv_channel = static_cast<unsigned>(channel);
     return {};
   }
 
@@ -174,10 +223,10 @@ class SceneConverter {
       mesh_.positions.push_back(linear_part * glm::vec3(p.x, p.y, p.z) +
                                 glm::vec3(m.a4, m.b4, m.c4));
     }
-    add_texture_coords(from, uv_channels_[material]);
+    add_texture_coords(from, traits_[material].uv_channel);
     add_colours(from);
     add_triangles(from, first, material, glm::determinant(linear_part) < 0);
-    mesh_.has_colours = mesh_.has_colours || named_[material] || from.HasVertexColors(0);
+    mesh_.has_colours = mesh_.has_colours || traits_[material].named || from.HasVertexColors(0);
     return {};
   }
 
@@ -228,6 +277,10 @@ class SceneConverter {
         ++not_finite_;
         continue;
       }
+      if (traits_[material].transparent) {
+        ++transparent_;
+        continue;
+      }
       mesh_.triangles.push_back(triangle);
       mesh_.material_of.push_back(material);
     }
@@ -245,6 +298,15 @@ class SceneConverter {
       diagnostics_.warn("non_finite", {},
                         std::to_string(not_finite_) +
                             " triangles with coordinates that are not finite were left out");
+    if (transparent_ > 0)
+      diagnostics_.warn(
+          "transparent", {},
+          std::to_string(transparent_) + " triangles of transparent materials were left out");
+    if (blended_ > 0)
+      diagnostics_.warn("alpha_blending", {},
+                        std::to_string(blended_) +
+                            " materials shine through: they become opaque where their alpha is one "
+                            "half or more, holes elsewhere");
     for (glm::vec3& p : mesh_.positions)  // used by no triangle; the mesh promises finite ones
       if (!is_finite(p)) p = glm::vec3(0);
   }
@@ -255,9 +317,14 @@ class SceneConverter {
   Diagnostics& diagnostics_;
   TextureLoader textures_;
   Mesh mesh_;
-  std::vector<bool> named_;            // for each material: the file says its colour
-  std::vector<unsigned> uv_channels_;  // for each material
-  uint64_t skipped_ = 0, bad_indices_ = 0, not_finite_ = 0;
+  // What of a material is not kept in the mesh.
+  struct Traits {
+    bool named = false;        // the file says its colour
+    bool transparent = false;  // nothing of it can be seen
+    unsigned uv_channel = 0;
+  };
+  std::vector<Traits> traits_;
+  uint64_t skipped_ = 0, bad_indices_ = 0, not_finite_ = 0, transparent_ = 0, blended_ = 0;
 };
 
 Error import_error(const Assimp::Importer& importer, const std::string& path) {

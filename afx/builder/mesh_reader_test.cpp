@@ -170,6 +170,154 @@ TEST(ReadMesh, TakesColoursOfGltfAsLinearLight) {
   EXPECT_EQ(linear_to_srgb(colour.r), 188);
 }
 
+// Pictures whose colour is all the same, with the alphas given, in a row.
+Picture with_alpha(const std::vector<uint8_t>& alphas) {
+  Picture picture(static_cast<uint32_t>(alphas.size()), 1, 4);
+  for (uint32_t x = 0; x < picture.width; ++x) {
+    picture.pixel(x, 0)[0] = 200;
+    picture.pixel(x, 0)[3] = alphas[x];
+  }
+  return picture;
+}
+
+const Material& first_material(const Mesh& mesh) { return mesh.materials[mesh.material_of[0]]; }
+
+std::string codes(const Diagnostics& diagnostics) {
+  std::string all;
+  for (const Warning& warning : diagnostics.warnings()) all += warning.code + " ";
+  return all;
+}
+
+TEST(ReadMesh, CutsHolesByAnAlphaThatLooksMadeForIt) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.png\n");
+  const std::string path = folder.write("square.obj", kSquare);
+  ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha({0, 255})).ok());
+  const Read cut = read(path);
+  ASSERT_TRUE(cut.mesh.ok()) << cut.mesh.error().text;
+  EXPECT_EQ(codes(cut.diagnostics), "");
+  EXPECT_EQ(first_material(cut.mesh.value()).alpha_cutoff, 0.5F);
+  EXPECT_EQ(cut.mesh.value().textures[0].samples, with_alpha({0, 255}).samples);
+  for (const std::vector<uint8_t>& other : {std::vector<uint8_t>{0, 0}, {200, 255}, {255, 255}}) {
+    std::filesystem::remove(folder.path("t.png"));
+    ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha(other)).ok());
+    const Read whole = read(path);
+    ASSERT_TRUE(whole.mesh.ok());
+    EXPECT_EQ(first_material(whole.mesh.value()).alpha_cutoff, 0);
+    EXPECT_EQ(whole.mesh.value().textures[0].components, 3U);
+  }
+}
+
+TEST(ReadMesh, CutsHolesByOpacityTextures) {
+  const TestFolder folder;
+  Picture opacity(2, 2, 1);
+  opacity.samples = {0, 255, 255, 255};
+  ASSERT_TRUE(write_picture(folder.path("t.png"), orange()).ok());
+  ASSERT_TRUE(write_picture(folder.path("d.png"), opacity).ok());
+  folder.write("m.mtl", "newmtl paint\nKd 1 1 1\nmap_Kd t.png\nmap_d d.png\n");
+  const std::string path = folder.write("square.obj", kSquare);
+  const Read both = read(path);
+  ASSERT_TRUE(both.mesh.ok()) << both.mesh.error().text;
+  ASSERT_THAT(both.mesh.value().textures, SizeIs(1));
+  EXPECT_EQ(first_material(both.mesh.value()).alpha_cutoff, 0.5F);
+  EXPECT_EQ(
+      both.mesh.value().textures[0].samples,
+      (std::vector<uint8_t>{255, 128, 0, 0, 255, 128, 0, 255, 255, 128, 0, 255, 255, 128, 0, 255}));
+  folder.write("m.mtl", "newmtl paint\nKd 1 0 0\nmap_d d.png\n");
+  const Read alone = read(path);
+  ASSERT_TRUE(alone.mesh.ok());
+  EXPECT_EQ(first_material(alone.mesh.value()).colour, glm::vec3(1, 0, 0));
+  EXPECT_EQ(alone.mesh.value().textures[0].samples,
+            (std::vector<uint8_t>{255, 255, 255, 0, 255, 255, 255, 255, 255, 255, 255, 255, 255,
+                                  255, 255, 255}));
+}
+
+TEST(ReadMesh, TheOpacityOfAMaterialTakesPart) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha({0, 255})).ok());
+  const std::string path = folder.write("square.obj", kSquare);
+  // Alpha is taken times 0.8: below 0.5 where the texture's is below 0.625.
+  folder.write("m.mtl", "newmtl paint\nKd 1 1 1\nd 0.8\nmap_Kd t.png\n");
+  const Read most = read(path);
+  ASSERT_TRUE(most.mesh.ok());
+  EXPECT_FLOAT_EQ(first_material(most.mesh.value()).alpha_cutoff, 0.625F);
+  EXPECT_EQ(codes(most.diagnostics), "alpha_blending ");
+  folder.write("m.mtl", "newmtl paint\nKd 1 1 1\nd 0.3\n");
+  const Read none = read(path);
+  ASSERT_FALSE(none.mesh.ok());
+  EXPECT_THAT(none.mesh.error().text, HasSubstr("none of the file's 2 triangles can be used"));
+  EXPECT_THAT(none.mesh.error().text, HasSubstr("2 are transparent"));
+  folder.write("m.mtl", "newmtl paint\nKd 1 1 1\nd 0\n");  // a mistake: taken as opaque
+  EXPECT_TRUE(read(path).mesh.ok());
+}
+
+TEST(ReadMesh, LeavesOutTransparentMaterialsBesideOthers) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl glass\nd 0.1\nnewmtl wood\nd 1\n");
+  const Read result = read(folder.write("a.obj",
+                                        "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl glass\n"
+                                        "f 1 2 3\nf 3 2 1\nusemtl wood\nf 1 2 3\n"));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  EXPECT_THAT(result.mesh.value().triangles, SizeIs(1));
+  EXPECT_EQ(codes(result.diagnostics), "transparent alpha_blending ");
+  EXPECT_THAT(result.diagnostics.warnings()[0].text, HasSubstr("2 triangles"));
+}
+
+// Positions, texture coordinates and indices of the square below, in base64.
+const char* const kSquareBuffer =
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"
+    "AAAAAAAAgD8AAIA/AAAAAAAAgD8AAQIAAgM=";
+
+// A square by hand, its texture coordinates (0, 0), (1, 0), (1, 1), (0, 1), v downwards, at the
+// corners (0, 0), (1, 0), (1, 1), (0, 1).
+std::string gltf_square(const std::string& material, const std::string& texture = "") {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,"material":0}]}],
+    "extensionsUsed":["KHR_texture_transform"],
+    "materials":[{"name":"m",)" +
+         material + R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0)" + texture + R"(}}}],
+    "textures":[{"source":0}],"images":[{"uri":"t.png"}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+      {"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"},
+      {"bufferView":2,"componentType":5121,"count":6,"type":"SCALAR"}],
+    "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":32},
+      {"buffer":0,"byteOffset":80,"byteLength":6}],
+    "buffers":[{"byteLength":86,"uri":"data:application/octet-stream;base64,)" +
+         kSquareBuffer + R"("}]})";
+}
+
+TEST(ReadMesh, CutsHolesAsAlphaModeOfGltfSays) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha({0, 60, 255})).ok());
+  struct Case {
+    const char* material;
+    float cutoff;
+    const char* warnings;
+  };
+  for (const Case& c : {Case{"", 0, ""}, Case{R"("alphaMode":"OPAQUE",)", 0, ""},
+                        Case{R"("alphaMode":"MASK",)", 0.5F, ""},
+                        Case{R"("alphaMode":"MASK","alphaCutoff":0.2,)", 0.2F, ""},
+                        Case{R"("alphaMode":"MASK","alphaCutoff":0,)", 0, ""},
+                        Case{R"("alphaMode":"BLEND",)", 0.5F, "alpha_blending "}}) {
+    const Read result = read(folder.write("a.gltf", gltf_square(c.material)));
+    ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+    EXPECT_EQ(first_material(result.mesh.value()).alpha_cutoff, c.cutoff) << c.material;
+    EXPECT_EQ(result.mesh.value().textures[0].components, c.cutoff > 0 ? 4U : 3U) << c.material;
+    EXPECT_EQ(codes(result.diagnostics), c.warnings) << c.material;
+  }
+}
+
+TEST(ReadMesh, AlphaThatIsOneEverywhereCutsNothing) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha({255, 255})).ok());
+  for (const char* mode : {R"("alphaMode":"MASK",)", R"("alphaMode":"BLEND",)"}) {
+    const Read result = read(folder.write("a.gltf", gltf_square(mode)));
+    ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+    EXPECT_EQ(first_material(result.mesh.value()).alpha_cutoff, 0);
+    EXPECT_EQ(codes(result.diagnostics), "");
+  }
+}
+
 TEST(ReadMesh, CountsLinesAndPointsThatItLeavesOut) {
   const TestFolder folder;
   const Read result =

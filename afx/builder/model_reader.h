@@ -27,9 +27,14 @@ Result<SourceModel> read_source_model(const std::string& path, const Limits& lim
 /// Reads a mesh by Assimp: OBJ, glTF/GLB, PLY, COLLADA, STL, FBX, 3DS, X3D and more. Node
 /// transforms are applied, textures read from beside the file or out of it.
 ///
-/// Warnings  texture_missing, texture_unreadable, texture_alpha (alpha is ignored),
-/// skipped_primitives
-///           (lines and points), non_finite (vertices whose triangles are left out), bad_index
+/// Alpha cuts holes (Material::alpha_cutoff): the material's opacity times the alpha of its colour
+/// texture or its opacity texture. In glTF by alphaMode, where BLEND counts as MASK with a cutoff
+/// of one half; in other formats with the same cutoff, and the alpha of colour textures only if it
+/// is on both sides of that.
+///
+/// Warnings  texture_missing, texture_unreadable, skipped_primitives (lines and points), non_finite
+///           (vertices whose triangles are left out), bad_index, transparent (triangles left out
+///           that cannot be seen), alpha_blending (materials meant to shine through)
 /// Errors    io: the file cannot be opened or is no regular file; unsupported: Assimp has no reader
 /// for it; malformed: Assimp's own message,
 ///           or no triangles; limit_exceeded: file size, mesh beyond limits.memory, nested too

@@ -42,13 +42,6 @@ std::string find_ignoring_case(const fs::path& folder, const std::string& name) 
   return found.empty() ? found : (folder / found).string();
 }
 
-bool has_transparency(const Picture& picture) {
-  if (picture.components % 2 != 0) return false;
-  for (size_t i = picture.components - 1; i < picture.samples.size(); i += picture.components)
-    if (picture.samples[i] != 255) return true;
-  return false;
-}
-
 // Where links and ".." are taken out, so that a file has one name.
 std::string canonical(const std::string& path) {
   std::error_code problem;
@@ -56,13 +49,14 @@ std::string canonical(const std::string& path) {
   return problem ? path : result.string();
 }
 
-// A picture and its copies of half, quarter, ... the side, with three 16-bit samples a pixel.
+// A picture and its copies of half, quarter, ... the side, with 16-bit samples of three colours and
+// of alpha if it has that.
 uint64_t bytes_of(const Picture& picture) {
   uint64_t bytes = picture.samples.size();
   for (uint32_t w = picture.width, h = picture.height; w > 1 || h > 1;) {
     w = std::max(1U, w / 2);
     h = std::max(1U, h / 2);
-    bytes += uint64_t{w} * h * 3 * sizeof(uint16_t);
+    bytes += uint64_t{w} * h * (picture.components % 2 == 0 ? 4 : 3) * sizeof(uint16_t);
   }
   return bytes;
 }
@@ -76,47 +70,68 @@ TextureLoader::TextureLoader(const aiScene& scene, const std::string& model_path
       limits_(limits),
       diagnostics_(diagnostics) {}
 
-Result<std::optional<uint32_t>> TextureLoader::load(const std::string& name) {
-  if (const auto at = known_.find(name); at != known_.end()) return at->second;
-  const std::string source = source_of(name);
-  const auto same = source.empty() ? sources_.end() : sources_.find(source);
-  const Result<std::optional<uint32_t>> number =
-      same != sources_.end() ? same->second : load_source(name, source);
-  if (!number.ok()) return number.error();
-  known_[name] = number.value();
-  if (!source.empty()) sources_[source] = number.value();
+Result<std::optional<uint32_t>> TextureLoader::load(const TextureNames& names) {
+  if (const auto at = known_.find(names); at != known_.end()) return at->second;
+  // The same pictures by other names are not read again.
+  const TextureNames sources{source_of(names.colour), source_of(names.opacity), names.alpha};
+  const bool all_found = sources.colour.empty() == names.colour.empty() &&
+                         sources.opacity.empty() == names.opacity.empty();
+  if (const auto at = known_.find(sources); all_found && at != known_.end()) return at->second;
+  const Result<std::optional<uint32_t>> number = load_new(names);
+  if (!number.ok()) return number;
+  known_[names] = number.value();
+  if (all_found) known_[sources] = number.value();
   return number;
 }
 
-Result<std::optional<uint32_t>> TextureLoader::load_source(const std::string& name,
-                                                           const std::string& source) {
-  Result<Picture> picture = read(name, source);
-  if (picture.ok() && bytes_of(picture.value()) > limits_.memory)
-    picture = Error{
-        Errc::limit_exceeded, {}, "with it the textures take more memory than the limit", {}, name};
-  std::optional<uint32_t> number;
-  if (picture.ok()) {
-    limits_.memory -= bytes_of(picture.value());
-    if (has_transparency(picture.value()))
-      diagnostics_.warn(
-          "texture_alpha", {},
-          "the alpha of texture " + name + " is ignored: all of the surface is opaque");
-    number = static_cast<uint32_t>(textures_.size());
-    textures_.push_back(std::move(picture).value());
-  } else if (picture.error().code == Errc::not_available) {
-    return picture.error();
-  } else {
-    const bool missing = picture.error().code == Errc::io;
-    diagnostics_.warn(
-        missing ? "texture_missing" : "texture_unreadable", {},
-        "texture " + name + ": " + picture.error().text + "; its material's colour stands in");
+Result<std::optional<uint32_t>> TextureLoader::load_new(const TextureNames& names) {
+  Result<Picture> colour = picture_of(names.colour), opacity = picture_of(names.opacity);
+  for (const Result<Picture>* picture : {&colour, &opacity})
+    if (!picture->ok()) return picture->error();
+  if (colour.value().empty() && opacity.value().empty()) return std::optional<uint32_t>();
+  const bool has_opacity = !opacity.value().empty();
+  Picture texture =
+      has_opacity ? with_opacity(colour.value(), opacity.value()) : std::move(colour).value();
+  texture = with_alpha_by_rule(std::move(texture), has_opacity ? AlphaRule::as_is : names.alpha);
+  const std::string key = source_of(names.colour) + '\n' +
+                          (has_opacity ? source_of(names.opacity) : "") + '\n' +
+                          std::to_string(texture.components);
+  if (const auto at = stored_.find(key); at != stored_.end()) return std::optional(at->second);
+  if (bytes_of(texture) > limits_.memory) {
+    const std::string& name = names.colour.empty() ? names.opacity : names.colour;
+    warn(name, Error{Errc::limit_exceeded,
+                     {},
+                     "with it the textures take more memory than the limit",
+                     {},
+                     {}});
+    return std::optional<uint32_t>();
   }
-  return number;
+  limits_.memory -= bytes_of(texture);
+  const auto number = static_cast<uint32_t>(textures_.size());
+  textures_.push_back(std::move(texture));
+  stored_[key] = number;
+  return std::optional(number);
+}
+
+// The picture of that name; an empty one for no name and where it cannot be had.
+Result<Picture> TextureLoader::picture_of(const std::string& name) {
+  if (name.empty() || failed_.count(name) != 0) return Picture();
+  Result<Picture> picture = read(name, source_of(name));
+  if (picture.ok() || picture.error().code == Errc::not_available) return picture;
+  warn(name, picture.error());
+  return Picture();
+}
+
+void TextureLoader::warn(const std::string& name, const Error& error) {
+  failed_.insert(name);
+  diagnostics_.warn(error.code == Errc::io ? "texture_missing" : "texture_unreadable", {},
+                    "texture " + name + ": " + error.text + "; its material's colour stands in");
 }
 
 // What tells pictures apart: the file without links, or "*" and the number of an embedded one;
 // empty if there is none.
 std::string TextureLoader::source_of(const std::string& name) const {
+  if (name.empty()) return {};
   const auto embedded = scene_.GetEmbeddedTextureAndIndex(name.c_str());
   if (embedded.first != nullptr) return "*" + std::to_string(embedded.second);
   const std::string path = find_file(name);
