@@ -30,35 +30,41 @@ double into_unit(double place, Wrap wrap) {
 
 Pair neighbours(double unit, uint32_t size, Wrap wrap) {
   const double at = unit * size - 0.5;
-  const double low = std::floor(at);
+  const auto first = at < 0 ? -1 : static_cast<int64_t>(at);  // rounded down: at is -0.5 at least
   const auto last = static_cast<int64_t>(size) - 1;
   const auto place = [&](int64_t i) {
     if (wrap == Wrap::repeat) i = i < 0 ? last : (i > last ? 0 : i);
     return static_cast<uint32_t>(std::clamp<int64_t>(i, 0, last));
   };
-  const auto first = static_cast<int64_t>(low);
-  return {place(first), place(first + 1), static_cast<float>(at - low)};
+  return {place(first), place(first + 1), static_cast<float>(at - static_cast<double>(first))};
 }
 
 }  // namespace
 
-TextureSampler::TextureSampler(const Picture& picture) : picture_(&picture) {
+TextureSampler::TextureSampler(const Picture& picture)
+    : picture_(&picture), has_alpha_(picture.components % 2 == 0) {
   levels_.push_back({picture.width, picture.height, {}});
   while (levels_.back().width > 1 || levels_.back().height > 1)
     levels_.push_back(half(levels_.size() - 1));
 }
 
-glm::vec4 TextureSampler::texel(size_t level, uint32_t x, uint32_t y) const {
-  if (level == 0) {
-    const auto& linear = srgb_to_linear();
-    const uint8_t* s = picture_->pixel(x, y);
-    const float alpha = has_alpha() ? static_cast<float>(s[picture_->components - 1]) / 255 : 1;
-    if (picture_->components < 3) return {glm::vec3(linear[s[0]]) * alpha, alpha};
-    return {glm::vec3(linear[s[0]], linear[s[1]], linear[s[2]]) * alpha, alpha};
+// Times alpha.
+glm::vec3 TextureSampler::light(size_t level, uint32_t x, uint32_t y) const {
+  if (level > 0) {
+    const uint16_t* rgb = texel(levels_[level], x, y);
+    return glm::vec3(rgb[0], rgb[1], rgb[2]) / kOne;
   }
-  const Level& from = levels_[level];
-  const uint16_t* s = from.samples.data() + (size_t{y} * from.width + x) * samples_a_texel();
-  return {s[0] / kOne, s[1] / kOne, s[2] / kOne, has_alpha() ? s[3] / kOne : 1.0F};
+  const auto& linear = srgb_to_linear();
+  const uint8_t* sample = picture_->pixel(x, y);
+  const glm::vec3 plain = picture_->components < 3
+                              ? glm::vec3(linear[sample[0]])
+                              : glm::vec3(linear[sample[0]], linear[sample[1]], linear[sample[2]]);
+  return has_alpha_ ? plain * alpha(level, x, y) : plain;
+}
+
+float TextureSampler::alpha(size_t level, uint32_t x, uint32_t y) const {
+  if (level > 0) return texel(levels_[level], x, y)[3] / kOne;
+  return static_cast<float>(picture_->pixel(x, y)[picture_->components - 1]) / 255;
 }
 
 // The mean of what lies under each new texel; where a side is odd, of 2 or 3 texels by their share.
@@ -80,9 +86,11 @@ TextureSampler::Level TextureSampler::half(size_t level) const {
       const auto x1 = static_cast<uint32_t>((uint64_t{x + 1} * fine.width - 1) / coarse.width);
       glm::vec4 sum(0);
       for (uint32_t b = y0; b <= y1; ++b)
-        for (uint32_t a = x0; a <= x1; ++a)
-          sum += texel(level, a, b) * share(x, a, fine.width, coarse.width) *
-                 share(y, b, fine.height, coarse.height);
+        for (uint32_t a = x0; a <= x1; ++a) {
+          const glm::vec4 one(light(level, a, b), has_alpha_ ? alpha(level, a, b) : 1);
+          sum +=
+              one * share(x, a, fine.width, coarse.width) * share(y, b, fine.height, coarse.height);
+        }
       uint16_t* to = coarse.samples.data() + (size_t{y} * coarse.width + x) * samples_a_texel();
       for (int k = 0; k < static_cast<int>(samples_a_texel()); ++k)
         to[k] = static_cast<uint16_t>(std::min(sum[k], 1.0F) * kOne + 0.5F);
@@ -103,11 +111,16 @@ glm::vec4 TextureSampler::sample(glm::dvec2 place, double area, Wrap wrap_u, Wra
   const Pair x = neighbours(into_unit(place.x, wrap_u), at.width, wrap_u);
   const Pair y =
       neighbours(1 - into_unit(place.y, wrap_v), at.height, wrap_v);  // rows from the top
-  const glm::vec4 upper =
-      glm::mix(texel(level, x.first, y.first), texel(level, x.second, y.first), x.weight);
-  const glm::vec4 lower =
-      glm::mix(texel(level, x.first, y.second), texel(level, x.second, y.second), x.weight);
-  return glm::mix(upper, lower, y.weight);
+  const auto blend = [&](const auto& value) {
+    const auto upper = glm::mix(value(x.first, y.first), value(x.second, y.first), x.weight);
+    const auto lower = glm::mix(value(x.first, y.second), value(x.second, y.second), x.weight);
+    return glm::mix(upper, lower, y.weight);
+  };
+  const glm::vec3 light_here =
+      blend([&](uint32_t column, uint32_t row) { return light(level, column, row); });
+  if (!has_alpha_) return {light_here, 1};
+  return {light_here,
+          blend([&](uint32_t column, uint32_t row) { return alpha(level, column, row); })};
 }
 
 }  // namespace afx

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -36,12 +37,16 @@ class TextureSampler {
     // at level 0: the picture has them.
     std::vector<uint16_t> samples;
   };
-  [[nodiscard]] bool has_alpha() const { return picture_->components % 2 == 0; }
-  [[nodiscard]] size_t samples_a_texel() const { return has_alpha() ? 4 : 3; }
-  [[nodiscard]] glm::vec4 texel(size_t level, uint32_t x, uint32_t y) const;
+  [[nodiscard]] size_t samples_a_texel() const { return has_alpha_ ? 4 : 3; }
+  [[nodiscard]] const uint16_t* texel(const Level& level, uint32_t x, uint32_t y) const {
+    return level.samples.data() + (size_t{y} * level.width + x) * samples_a_texel();
+  }
+  [[nodiscard]] glm::vec3 light(size_t level, uint32_t x, uint32_t y) const;
+  [[nodiscard]] float alpha(size_t level, uint32_t x, uint32_t y) const;
   [[nodiscard]] Level half(size_t level) const;
 
   const Picture* picture_;
+  bool has_alpha_;
   std::vector<Level> levels_;
 };
 
