@@ -2,105 +2,60 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // Meshes by Assimp: a module of its own (mesh_import_module.h).
-#include <assimp/GltfMaterial.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <exception>
-#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 #include <new>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "afx/builder/mesh_import_module.h"
-#include "afx/builder/texture_loader.h"
-#include "afx/srgb.h"
+#include "afx/builder/mesh_materials.h"
 
 namespace afx {
 namespace {
 
-constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                            aiProcess_GenUVCoords | aiProcess_TransformUVCoords;
+constexpr unsigned kSteps =
+    aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_GenUVCoords;
 // A node that is its own ancestor in some way would never end; no real file comes near.
 constexpr size_t kMostInstances = size_t{1} << 20;
+
+Format format_of(const Assimp::Importer& importer) {
+  const int number = importer.GetPropertyInteger("importerIndex", -1);
+  const aiImporterDesc* description =
+      number < 0 ? nullptr : importer.GetImporterInfo(static_cast<size_t>(number));
+  if (description == nullptr) return Format::other;
+  const std::string_view name(description->mName);
+  if (name.find("glTF") != std::string_view::npos) return Format::gltf;
+  return name.find("Wavefront") != std::string_view::npos ? Format::obj : Format::other;
+}
 
 bool is_finite(const glm::vec3& v) {
   const auto usable = [](float c) { return std::abs(c) < 1e37F; };
   return usable(v.x) && usable(v.y) && usable(v.z);
 }
 
-Wrap wrap_of(int mode) {
-  if (mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal) return Wrap::clamp;
-  return mode == aiTextureMapMode_Mirror ? Wrap::mirror : Wrap::repeat;
-}
-
-std::string texture_name(const aiMaterial& material, aiTextureType type) {
-  aiString name;
-  return material.GetTexture(type, 0, &name) == aiReturn_SUCCESS ? name.C_Str() : std::string();
-}
-
-std::optional<aiTextureType> colour_texture(const aiMaterial& material) {
-  for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
-    if (!texture_name(material, type).empty()) return type;
-  return {};
-}
-
-// How a material lets light through.
-struct Transparency {
-  AlphaRule rule = AlphaRule::if_mixed;
-  float cutoff = 0.5F;   // of the texture's alpha; above 1 nothing of the material can be seen
-  bool blended = false;  // not meant to be cut, but to shine through
-};
-
-// An alpha of one half is where surface begins, unless the file says otherwise. The material's own
-// opacity multiplies the texture's alpha; an opacity of 0 where no format defines it is a mistake
-// of an exporter: nobody models what cannot be seen.
-Transparency transparency_of(const aiMaterial& material, const aiColor4D& base_colour) {
-  Transparency transparency;
-  float opacity = 1;
-  aiString mode;
-  if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
-    const std::string_view name(mode.C_Str());
-    if (name != "MASK" && name != "BLEND") return {AlphaRule::ignore, 0, false};
-    transparency.rule = AlphaRule::as_is;
-    transparency.blended = name == "BLEND";
-    if (!transparency.blended) material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, transparency.cutoff);
-    opacity = base_colour.a;
-  } else if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) {
-    if (!(opacity > 0 && opacity <= 1)) opacity = 1;
-    transparency.blended = opacity < 1;
-  }
-  transparency.cutoff = std::max(0.0F, transparency.cutoff) / std::max(0.0F, opacity);
-  if (!(transparency.cutoff > 0)) return {AlphaRule::ignore, 0, false};  // nothing is below 0
-  return transparency;
-}
-
 // Turns an imported scene into a Mesh.
 class SceneConverter {
  public:
-  SceneConverter(const aiScene& scene, const std::string& path, bool linear_colours,
-                 const Limits& limits, Diagnostics& diagnostics)
+  SceneConverter(const aiScene& scene, const std::string& path, Format format, const Limits& limits,
+                 Diagnostics& diagnostics)
       : scene_(scene),
-        linear_colours_(linear_colours),
+        linear_colours_(format == Format::gltf),
         limits_(limits),
         diagnostics_(diagnostics),
-        textures_(scene, path, limits, diagnostics) {}
+        materials_(scene, path, format, limits, diagnostics) {}
 
   Result<Mesh> convert() {
-    for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
-      if (Status status = add_material(*scene_.mMaterials[i]); !status.ok()) return status.error();
-    mesh_.materials.emplace_back();  // for meshes that name none
-    traits_.emplace_back();
-    mesh_.textures = std::move(textures_.textures());
+    if (Status status = materials_.read(mesh_, traits_); !status.ok()) return status.error();
     if (Status status = add_nodes(); !status.ok()) return status.error();
     warn();
     if (mesh_.triangles.empty()) return Error{Errc::malformed, {}, no_triangles(), {}, {}};
@@ -115,70 +70,6 @@ class SceneConverter {
            std::to_string(not_finite_) + " have coordinates that are not finite, " +
            std::to_string(bad_indices_) + " name vertices that are not there, " +
            std::to_string(transparent_) + " are transparent)";
-  }
-
-  glm::vec3 linear(const aiColor4D& colour) const {
-    const glm::vec3 given(colour.r, colour.g, colour.b);
-    if (linear_colours_) return glm::clamp(given, glm::vec3(0), glm::vec3(1));
-    return {srgb_to_linear(given.x), srgb_to_linear(given.y), srgb_to_linear(given.z)};
-  }
-
-  // Whether the colour is one that Assimp puts where the file has none: some grey or white on a
-  // material without a name of its own, or glTF's default, which is white.
-  [[nodiscard]] bool is_made_up(const aiMaterial& from, const aiColor4D& colour) const {
-    aiString name;
-    const bool has_name = from.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS && name.length > 0 &&
-                          std::string_view(name.C_Str()) != AI_DEFAULT_MATERIAL_NAME;
-    const bool grey = colour.r == colour.g && colour.g == colour.b;
-    return grey && (!has_name || (linear_colours_ && colour.r == 1));
-  }
-
-  Status add_material(const aiMaterial& from) {
-    Material material;
-    aiColor4D colour(1, 1, 1, 1);
-    const bool has_colour = from.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
-                            from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
-    const bool named = has_colour && !is_made_up(from, colour);
-    material.colour = linear(colour);
-    const Transparency transparency = transparency_of(from, colour);
-    unsigned uv_channel = 0;
-    if (Status status = add_texture(from, transparency.rule, material, uv_channel); !status.ok())
-      return status;
-    const bool textured = material.texture != Material::kNoTexture;
-    // Many exporters leave black beside a texture that replaces it; black times the texture would
-    // show nothing.
-    if (textured && colour_texture(from) && !linear_colours_ && material.colour == glm::vec3(0))
-      material.colour = glm::vec3(1);
-    const bool has_alpha = textured && textures_.textures()[material.texture].components % 2 == 0;
-    if (has_alpha) material.alpha_cutoff = transparency.cutoff;
-    if (transparency.blended && (has_alpha || transparency.cutoff > 0.5F)) ++blended_;
-    mesh_.materials.push_back(material);
-    traits_.push_back({named || textured, transparency.cutoff > 1, uv_channel});
-    return {};
-  }
-
-  Status add_texture(const aiMaterial& from, AlphaRule rule, Material& material,
-                     unsigned& uv_channel) {
-    TextureNames names{{}, {}, rule};
-    aiTextureType type = aiTextureType_OPACITY;
-    if (rule == AlphaRule::if_mixed) names.opacity = texture_name(from, type);
-    if (const auto colour = colour_texture(from)) {
-      type = *colour;
-      names.colour = texture_name(from, type);
-    }
-    const Result<std::optional<uint32_t>> number = textures_.load(names);
-    if (!number.ok()) return number.error();
-    if (!number.value()) return {};
-    material.texture = *number.value();
-    int mode = 0, channel = 0;
-    if (from.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), mode) == aiReturn_SUCCESS)
-      material.wrap_u = wrap_of(mode);
-    if (from.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), mode) == aiReturn_SUCCESS)
-      material.wrap_v = wrap_of(mode);
-    if (from.Get(AI_MATKEY_UVWSRC(type, 0), channel) == aiReturn_SUCCESS && channel >= 0 &&
-        channel < AI_MAX_NUMBER_OF_TEXTURECOORDS)
-      uv_channel = static_cast<unsigned>(channel);
-    return {};
   }
 
   // Nodes depth first, children in their order, without recursion: files decide how deep they nest.
@@ -223,14 +114,15 @@ class SceneConverter {
       mesh_.positions.push_back(linear_part * glm::vec3(p.x, p.y, p.z) +
                                 glm::vec3(m.a4, m.b4, m.c4));
     }
-    add_texture_coords(from, traits_[material].uv_channel);
+    add_texture_coords(from, traits_[material]);
     add_colours(from);
     add_triangles(from, first, material, glm::determinant(linear_part) < 0);
     mesh_.has_colours = mesh_.has_colours || traits_[material].named || from.HasVertexColors(0);
     return {};
   }
 
-  void add_texture_coords(const aiMesh& from, unsigned channel) {
+  void add_texture_coords(const aiMesh& from, const MaterialTraits& traits) {
+    unsigned channel = traits.uv_channel;
     if (!from.HasTextureCoords(channel)) channel = 0;
     if (!from.HasTextureCoords(channel)) {
       if (!mesh_.texture_coords.empty()) mesh_.texture_coords.resize(mesh_.positions.size());
@@ -239,8 +131,9 @@ class SceneConverter {
     mesh_.texture_coords.resize(mesh_.positions.size() - from.mNumVertices);
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
       const aiVector3D& t = from.mTextureCoords[channel][i];
-      const bool finite = std::isfinite(t.x) && std::isfinite(t.y);
-      mesh_.texture_coords.push_back(finite ? glm::vec2(t.x, t.y) : glm::vec2(0));
+      const glm::vec2 uv = traits.uv({t.x, t.y});
+      const bool finite = std::isfinite(uv.x) && std::isfinite(uv.y);
+      mesh_.texture_coords.push_back(finite ? uv : glm::vec2(0));
     }
   }
 
@@ -251,7 +144,7 @@ class SceneConverter {
     }
     mesh_.colours.resize(mesh_.positions.size() - from.mNumVertices, glm::vec3(1));
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
-      const glm::vec3 colour = linear(from.mColors[0][i]);
+      const glm::vec3 colour = linear_colour(from.mColors[0][i], linear_colours_);
       mesh_.colours.push_back(is_finite(colour) ? colour : glm::vec3(1));
     }
   }
@@ -302,11 +195,6 @@ class SceneConverter {
       diagnostics_.warn(
           "transparent", {},
           std::to_string(transparent_) + " triangles of transparent materials were left out");
-    if (blended_ > 0)
-      diagnostics_.warn("alpha_blending", {},
-                        std::to_string(blended_) +
-                            " materials shine through: they become opaque where their alpha is one "
-                            "half or more, holes elsewhere");
     for (glm::vec3& p : mesh_.positions)  // used by no triangle; the mesh promises finite ones
       if (!is_finite(p)) p = glm::vec3(0);
   }
@@ -315,16 +203,10 @@ class SceneConverter {
   bool linear_colours_;
   const Limits& limits_;
   Diagnostics& diagnostics_;
-  TextureLoader textures_;
+  MaterialReader materials_;
   Mesh mesh_;
-  // What of a material is not kept in the mesh.
-  struct Traits {
-    bool named = false;        // the file says its colour
-    bool transparent = false;  // nothing of it can be seen
-    unsigned uv_channel = 0;
-  };
-  std::vector<Traits> traits_;
-  uint64_t skipped_ = 0, bad_indices_ = 0, not_finite_ = 0, transparent_ = 0, blended_ = 0;
+  std::vector<MaterialTraits> traits_;
+  uint64_t skipped_ = 0, bad_indices_ = 0, not_finite_ = 0, transparent_ = 0;
 };
 
 Error import_error(const Assimp::Importer& importer, const std::string& path) {
@@ -345,15 +227,6 @@ Error import_error(const Assimp::Importer& importer, const std::string& path) {
                "cannot be imported (Assimp: " + (reason.empty() ? "no reason given" : reason) + ")",
                {},
                path};
-}
-
-// glTF has its colours in linear light; whatever else there is has them as shown on screens.
-bool has_linear_colours(const Assimp::Importer& importer) {
-  const int number = importer.GetPropertyInteger("importerIndex", -1);
-  if (number < 0) return false;
-  const aiImporterDesc* description = importer.GetImporterInfo(static_cast<size_t>(number));
-  return description != nullptr &&
-         std::string_view(description->mName).find("glTF") != std::string_view::npos;
 }
 
 // Whether Assimp's later steps can work on it: Debian's build ends the process where they assert
@@ -378,10 +251,11 @@ Result<Mesh> import(const std::string& path, const Limits& limits, Diagnostics& 
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene != nullptr && !is_sound(*scene))
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
-  if (scene != nullptr) scene = importer.ApplyPostProcessing(kSteps);
+  const Format format = format_of(importer);
+  const unsigned steps = format == Format::gltf ? kSteps : kSteps | aiProcess_TransformUVCoords;
+  if (scene != nullptr) scene = importer.ApplyPostProcessing(steps);
   if (scene == nullptr) return import_error(importer, path);
-  Result<Mesh> mesh =
-      SceneConverter(*scene, path, has_linear_colours(importer), limits, diagnostics).convert();
+  Result<Mesh> mesh = SceneConverter(*scene, path, format, limits, diagnostics).convert();
   if (!mesh.ok() && mesh.error().file.empty()) mesh.error().file = path;
   return mesh;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <string>
 #include <vector>
 
@@ -259,7 +260,7 @@ TEST(ReadMesh, LeavesOutTransparentMaterialsBesideOthers) {
                                         "f 1 2 3\nf 3 2 1\nusemtl wood\nf 1 2 3\n"));
   ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
   EXPECT_THAT(result.mesh.value().triangles, SizeIs(1));
-  EXPECT_EQ(codes(result.diagnostics), "transparent alpha_blending ");
+  EXPECT_EQ(codes(result.diagnostics), "transparent ");
   EXPECT_THAT(result.diagnostics.warnings()[0].text, HasSubstr("2 triangles"));
 }
 
@@ -284,6 +285,78 @@ std::string gltf_square(const std::string& material, const std::string& texture 
       {"buffer":0,"byteOffset":80,"byteLength":6}],
     "buffers":[{"byteLength":86,"uri":"data:application/octet-stream;base64,)" +
          kSquareBuffer + R"("}]})";
+}
+
+// Where on the texture the corners (0, 0), (1, 0), (1, 1), (0, 1) of a square lie, to 1/10000.
+std::vector<glm::ivec2> corners_on_texture(const Mesh& mesh) {
+  std::vector<glm::ivec2> places;
+  for (const glm::vec2 corner : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    for (size_t i = 0; i < mesh.positions.size(); ++i)
+      if (glm::vec2(mesh.positions[i]) == corner)
+        places.emplace_back(glm::round(mesh.texture_coords[i] * 10000.0F));
+  return places;
+}
+
+using Places = std::vector<glm::ivec2>;
+
+// By the prose and the examples of KHR_texture_transform: scale, then rotation against the clock as
+// seen with v downwards, then offset: u' = c u + s v + offset, v' = -s u + c v + offset. Expected
+// are places with v upwards, 1 - v'.
+TEST(ReadMesh, TransformsTextureCoordinatesOfGltf) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), orange()).ok());
+  struct Case {
+    const char* transform;
+    Places places;
+  };
+  for (const Case& c : {
+           Case{R"("offset":[0.25,0.5])",
+                {{2500, 5000}, {12500, 5000}, {12500, -5000}, {2500, -5000}}},
+           Case{R"("scale":[0.5,0.25])", {{0, 10000}, {5000, 10000}, {5000, 7500}, {0, 7500}}},
+           // "inverts the T axis"
+           Case{R"("offset":[0,1],"scale":[1,-1])",
+                {{0, 0}, {10000, 0}, {10000, 10000}, {0, 10000}}},
+           Case{R"("rotation":1.57079632679)",
+                {{0, 10000}, {0, 20000}, {10000, 20000}, {10000, 10000}}},
+           // "only the lower left quadrant of the source image, rotated clockwise"
+           Case{R"("offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5])",
+                {{0, 0}, {0, 5000}, {5000, 5000}, {5000, 0}}},
+           // cos = 0.8, sin = 0.6; (1, 1) goes to 0.8 * 2 + 0.6 * 0.5 + 0.1 and
+           // -0.6 * 2 + 0.8 * 0.5 + 0.2.
+           Case{R"("offset":[0.1,0.2],"rotation":0.643501108793,"scale":[2,0.5])",
+                {{1000, 8000}, {17000, 20000}, {20000, 16000}, {4000, 4000}}},
+       }) {
+    const Read result = read(folder.write(
+        "a.gltf", gltf_square("", std::string(R"(,"extensions":{"KHR_texture_transform":{)") +
+                                      c.transform + "}}")));
+    ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+    EXPECT_EQ(corners_on_texture(result.mesh.value()), c.places) << c.transform;
+  }
+}
+
+// The options shift and scale texture coordinates: u' = scale u + offset.
+TEST(ReadMesh, TransformsTextureCoordinatesOfMtl) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), orange()).ok());
+  struct Case {
+    const char* options;
+    Places places;
+  };
+  for (const Case& c : {
+           Case{"", {{0, 0}, {10000, 0}, {10000, 10000}, {0, 10000}}},
+           Case{"-o 0.25 0.5 0", {{2500, 5000}, {12500, 5000}, {12500, 15000}, {2500, 15000}}},
+           Case{"-s 2 3 1", {{0, 0}, {20000, 0}, {20000, 30000}, {0, 30000}}},
+           Case{"-s 2 3 1 -o 0.5 0.25 0 -clamp on",
+                {{5000, 2500}, {25000, 2500}, {25000, 32500}, {5000, 32500}}},
+           Case{"-o 0.25 0.5", {{2500, 5000}, {12500, 5000}, {12500, 15000}, {2500, 15000}}},
+           Case{"-o 0.25", {{2500, 0}, {12500, 0}, {12500, 10000}, {2500, 10000}}},
+       }) {
+    folder.write("m.mtl", std::string("newmtl paint\nKd 1 1 1\nmap_Kd ") + c.options + " t.png\n");
+    const Read result = read(folder.write("square.obj", kSquare));
+    ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+    EXPECT_THAT(result.mesh.value().textures, SizeIs(1)) << c.options;
+    EXPECT_EQ(corners_on_texture(result.mesh.value()), c.places) << c.options;
+  }
 }
 
 TEST(ReadMesh, CutsHolesAsAlphaModeOfGltfSays) {
