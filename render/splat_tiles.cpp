@@ -22,8 +22,9 @@ SplatTiles::SplatTiles(const Scene& scene, const Camera& camera, const RenderOpt
     : columns_((options.width + kTile - 1) / kTile), rows_((options.height + kTile - 1) / kTile) {
   make_grids(static_cast<float>(kTile * options.samples));
   make_chunks(scene);
+  const Lens lens(camera, options);
   std::vector<SplatProjection> projections;
-  for (const VoxelCloud& cloud : scene.voxels) projections.emplace_back(cloud, camera, options);
+  for (const VoxelCloud& cloud : scene.voxels) projections.emplace_back(cloud, lens, options);
   parallel_for(chunks_.size(), options.threads, [&](size_t i) {
     Chunk& chunk = chunks_[i];
     chunk.splats = projections[chunk.cloud].project(

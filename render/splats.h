@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "render/camera.h"
+#include "render/lens.h"
 #include "render/renderer.h"
 #include "render/scene.h"
 
@@ -38,8 +38,8 @@ inline constexpr float kLeastRadius = 0.7072F;
 /// This is the paper's rule (section VI) for every voxel by itself instead of for cells.
 class SplatProjection {
  public:
-  /// camera, options   checked
-  SplatProjection(const VoxelCloud& cloud, const Camera& camera, const RenderOptions& options);
+  /// cloud, options   checked
+  SplatProjection(const VoxelCloud& cloud, const Lens& lens, const RenderOptions& options);
 
   /// Projects voxels [first, first + out.size()), leaves out those that touch no sample or lie
   /// before the near plane, and writes the others to the beginning of `out`, in order. Returns how
@@ -49,15 +49,10 @@ class SplatProjection {
  private:
   /// Fills all but the colour; false if nothing is to be drawn.
   bool project_voxel(uint64_t code, Splat& splat) const;
-  [[nodiscard]] bool in_view(const glm::dvec3& centre) const;
   [[nodiscard]] double radius(const glm::dvec3& centre) const;
 
   const VoxelCloud& cloud_;
-  bool perspective_;
-  double near_;
-  double focal_;                // samples for each unit (of length at distance 1 in perspective)
-  double middle_x_, middle_y_;  // of the picture, in samples
-  double slope_x_, slope_y_;    // perspective: of the sides of the view
+  const Lens& lens_;
   double scale_;
   glm::dmat3 axes_;          // voxel coordinates to the camera's system
   glm::dvec3 origin_;        // the centre of voxel (0, 0, 0) in the camera's system

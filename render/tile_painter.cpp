@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "afx/srgb.h"
+#include "render/splat_shapes.h"
 
 namespace afx::render {
 namespace {
@@ -40,46 +41,45 @@ void TilePainter::clear() {
   std::fill(sums_.begin(), sums_.end(), Sum{});
 }
 
-/// Visits the rows of samples whose centres the disc covers. Both passes see the same samples.
-template <class Visit>
-void TilePainter::for_rows(const Splat& splat, const Visit& visit) const {
+/// Visits the runs of samples whose centres the shape covers, with the place of the first one in
+/// respect of the splat's. Both passes see the same samples.
+template <class Shape, class Visit>
+void TilePainter::for_rows(const Shape& shape, const Visit& visit) const {
   // Sample k of the tile has its centre at k + 1/2.
+  const Splat& splat = shape.splat;
   const float x = splat.x - left_ - 0.5F;
   const float y = splat.y - top_ - 0.5F;
   const auto side = static_cast<float>(side_);
-  const float r2 = splat.radius * splat.radius;
   const size_t end = end_after(y + splat.radius, side);
   for (size_t row = first_from(y - splat.radius, side); row < end; ++row) {
     const float dy = static_cast<float>(row) - y;
-    const float half = std::sqrt(std::max(0.0F, r2 - dy * dy));
-    const size_t x0 = first_from(x - half, side);
-    const size_t x1 = end_after(x + half, side);
-    if (x0 >= x1) continue;
-    visit(Row{row * side_ + x0, row * side_ + x1, static_cast<float>(x0) - x, dy * dy});
+    const Run run = shape.run(dy);
+    const size_t x0 = first_from(x + run.first, side);
+    const size_t x1 = end_after(x + run.last, side);
+    if (x0 < x1) visit(row * side_ + x0, row * side_ + x1, static_cast<float>(x0) - x, dy);
   }
 }
 
-void TilePainter::lay_depth(const Splat& splat) {
-  const float bend = splat.bulge / (splat.radius * splat.radius);
-  for_rows(splat, [&](const Row& row) {
-    float dx = row.dx;
-    for (size_t i = row.first; i < row.end; ++i, dx += 1) {
-      depths_[i] = std::min(depths_[i], splat.depth + bend * (dx * dx + row.dy2));
+template <class Shape>
+void TilePainter::lay_depth(const Shape& shape) {
+  for_rows(shape, [&](size_t first, size_t end, float dx, float dy) {
+    for (size_t i = first; i < end; ++i, dx += 1) {
+      depths_[i] = std::min(depths_[i], shape.at(dx, dy).depth);
     }
   });
 }
 
-void TilePainter::lay_colour(const Splat& splat) {
+template <class Shape>
+void TilePainter::lay_colour(const Shape& shape) {
+  const Splat& splat = shape.splat;
   const std::array<float, 256>& linear = srgb_to_linear();
   const float r = linear[splat.colour.r], g = linear[splat.colour.g], b = linear[splat.colour.b];
-  const float inverse = 1 / (splat.radius * splat.radius);
-  const float front = splat.depth - splat.tolerance;
-  for_rows(splat, [&](const Row& row) {
-    float dx = row.dx;
-    for (size_t i = row.first; i < row.end; ++i, dx += 1) {
-      const float out = (dx * dx + row.dy2) * inverse;  // 0 in the centre, 1 at the rim
-      if (front + splat.bulge * out > depths_[i]) continue;
-      const float inner = std::max(0.0F, 1 - out);
+  const float tolerance = splat.tolerance;
+  for_rows(shape, [&](size_t first, size_t end, float dx, float dy) {
+    for (size_t i = first; i < end; ++i, dx += 1) {
+      const Hit hit = shape.at(dx, dy);
+      if (hit.depth - tolerance > depths_[i]) continue;
+      const float inner = std::max(0.0F, 1 - hit.out);
       const float weight = inner * inner + kLeastWeight;
       Sum& sum = sums_[i];
       sum.r += weight * r;
@@ -153,8 +153,8 @@ void TilePainter::paint(const SplatTiles& tiles, uint32_t column, uint32_t row,
   left_ = static_cast<float>(column * side_);
   top_ = static_cast<float>(row * side_);
   collect(tiles, column, row);
-  for (const uint32_t number : touching_) lay_depth(tiles.splat(number));
-  for (const uint32_t number : touching_) lay_colour(tiles.splat(number));
+  for (const uint32_t number : touching_) lay_depth(Disc(tiles.splat(number)));
+  for (const uint32_t number : touching_) lay_colour(Disc(tiles.splat(number)));
   resolve(column * kTile, row * kTile, image);
 }
 

@@ -26,26 +26,21 @@ class TilePainter {
   struct Sum {
     float r = 0, g = 0, b = 0, weight = 0;
   };
-  /// A place in the tile's samples.
-  struct Row {
-    size_t first = 0, end = 0;  // indices into depths_ and sums_
-    float dx = 0;               // from the splat's centre to the first sample
-    float dy2 = 0;              // squared
-  };
-
   void clear();
   void collect(const SplatTiles& tiles, uint32_t column, uint32_t row);
-  void lay_depth(const Splat& splat);
-  void lay_colour(const Splat& splat);
-  template <class Visit>
-  void for_rows(const Splat& splat, const Visit& visit) const;
+  template <class Shape>
+  void lay_depth(const Shape& shape);
+  template <class Shape>
+  void lay_colour(const Shape& shape);
+  template <class Shape, class Visit>
+  void for_rows(const Shape& shape, const Visit& visit) const;
   void resolve(uint32_t x, uint32_t y, RenderedImage& image) const;
   void resolve_pixel(size_t first, uint8_t* pixel, float* depth) const;
 
   const RenderOptions& options_;
   size_t side_;                // samples along the side of a tile
   float left_ = 0, top_ = 0;   // of the tile, in samples
-  std::vector<float> depths_;  // of the nearest disc, row by row; infinite where none is
+  std::vector<float> depths_;  // of the nearest splat, row by row; infinite where none is
   std::vector<Sum> sums_;
   std::vector<uint32_t> touching_;  // numbers of the splats of the tile
 };
