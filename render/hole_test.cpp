@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "render/renderer.h"
-#include "render/test_scenes.h"
+#include "render/test_surfels.h"
 
 namespace afx::render {
 namespace {
@@ -67,6 +67,25 @@ TEST(Holes, ASphereIsClosedFromEveryDirectionAndDistance) {
   }
 }
 
+TEST(Holes, ASphereOfSurfelsIsClosedFromEveryDirectionAndDistance) {
+  for (const int n : {20, 60}) {
+    Surfels surfels;
+    add_surfel_sphere(surfels, 0.4, n, kRed);
+    add_surfel_sphere(surfels, 0.3, n, kBlue);  // must never be seen
+    const RenderOptions options{.width = kSide, .height = kSide, .splat_scale = 1, .samples = 1};
+    for (const glm::dvec3& direction : directions(20)) {
+      for (const double distance : {0.43, 0.5, 0.8, 1.6, 5.0, 20.0}) {
+        Camera camera = looking_at_origin(direction, distance);
+        EXPECT_EQ(faults(scene_of(surfels), camera, 0.399, options), 0) << distance;
+        camera.projection = Projection::orthographic;
+        camera.view_height = distance;
+        camera.position *= 10 / distance;
+        EXPECT_EQ(faults(scene_of(surfels), camera, 0.399, options), 0) << distance;
+      }
+    }
+  }
+}
+
 TEST(Holes, ASphereSeenFromInsideIsClosedToo) {
   TestModelMaker maker(6);
   add_sphere(maker, 6, 0.4, kRed);
@@ -78,6 +97,20 @@ TEST(Holes, ASphereSeenFromInsideIsClosedToo) {
       Camera camera = looking_at_origin(direction, 0.2);
       camera.field_of_view = angle;
       EXPECT_EQ(faults(model.scene(), camera, 10, options), 0) << angle;
+    }
+  }
+}
+
+TEST(Holes, ASphereOfSurfelsSeenFromInsideIsClosedToo) {
+  Surfels surfels;
+  add_surfel_sphere(surfels, 0.4, 60, kRed);
+  add_surfel_sphere(surfels, 0.47, 60, kBlue);
+  const RenderOptions options{.width = kSide, .height = kSide, .splat_scale = 1, .samples = 2};
+  for (const glm::dvec3& direction : directions(20)) {
+    for (const double angle : {0.3, 1.0, 1.5, 2.0}) {
+      Camera camera = looking_at_origin(direction, 0.2);
+      camera.field_of_view = angle;
+      EXPECT_EQ(faults(scene_of(surfels), camera, 10, options), 0) << angle;
     }
   }
 }

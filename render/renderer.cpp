@@ -57,17 +57,35 @@ Status check_cloud(const VoxelCloud& cloud) {
   return {};
 }
 
+Status check_cloud(const SurfelCloud& cloud) {
+  if (cloud.surfels == nullptr) return bad("a surfel cloud without surfels");
+  const Surfels& s = *cloud.surfels;
+  if (s.u.size() != s.size() || s.v.size() != s.size() || s.colours.size() != s.size()) {
+    return bad(std::to_string(s.size()) + " surfels with " + std::to_string(s.u.size()) + " and " +
+               std::to_string(s.v.size()) + " sides and " + std::to_string(s.colours.size()) +
+               " colours (expected as many)");
+  }
+  if (!is_affine(cloud.local_to_world)) {
+    return bad("the matrix of a surfel cloud is not affine or not finite");
+  }
+  return {};
+}
+
 Status check_sizes(const Scene& scene, const RenderOptions& options, const Limits& limits) {
-  uint64_t voxels = 0;
+  uint64_t voxels = 0, surfels = 0;
   for (const VoxelCloud& cloud : scene.voxels) voxels += cloud.codes.size();
+  for (const SurfelCloud& cloud : scene.surfels) surfels += cloud.surfels->size();
   const uint64_t pixels = uint64_t{options.width} * options.height;
   // A splat and one to four places in cells.
-  const uint64_t bytes = voxels * (sizeof(Splat) + 16) + pixels * (options.depth ? 8 : 4);
-  if (voxels < uint64_t{1} << 30 && bytes <= limits.memory && pixels <= limits.picture_pixels) {
+  const uint64_t bytes = (voxels + surfels) * (sizeof(Splat) + 16) + surfels * sizeof(Slant) +
+                         pixels * (options.depth ? 8 : 4);
+  if (voxels + surfels < uint64_t{1} << 30 && bytes <= limits.memory &&
+      pixels <= limits.picture_pixels) {
     return {};
   }
   return Error{Errc::limit_exceeded, Place::none(),
-               "drawing " + std::to_string(voxels) + " voxels into " + std::to_string(pixels) +
+               "drawing " + std::to_string(voxels) + " voxels and " + std::to_string(surfels) +
+                   " surfels into " + std::to_string(pixels) +
                    " pixels needs more than the limits allow"};
 }
 
@@ -76,6 +94,9 @@ Status check(const Scene& scene, const Camera& camera, const RenderOptions& opti
   if (Status s = check_options(options); !s.ok()) return s;
   if (Status s = check_camera(camera); !s.ok()) return s;
   for (const VoxelCloud& cloud : scene.voxels) {
+    if (Status s = check_cloud(cloud); !s.ok()) return s;
+  }
+  for (const SurfelCloud& cloud : scene.surfels) {
     if (Status s = check_cloud(cloud); !s.ok()) return s;
   }
   return check_sizes(scene, options, limits);

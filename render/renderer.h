@@ -24,7 +24,7 @@ struct RenderOptions {
   /// Splat diameter as a multiple of the longest projected space diagonal of its voxel. At 1 or
   /// more a splat covers the projection of its voxel, so closed surfaces have no holes; the paper's
   /// 1.3 also closes gaps between voxels that touch at corners only, and makes outlines
-  /// fatter. 1..8
+  /// fatter. The sides of a surfel are longer by this and a tenth. 1..8
   double splat_scale = 1.05;
   unsigned samples = 3;  ///< n x n samples in each pixel, 1..8: smoothness of the edges
   bool depth = false;    ///< fill RenderedImage::depth
@@ -48,13 +48,18 @@ struct RenderedImage {
 /// centres: enough to soften the border between neighbours, too little for the next layer of voxels
 /// to show. A pixel is the mean of its samples.
 ///
+/// Each surfel is the parallelogram that it is, with its own depth at every sample, a little longer
+/// than it is so that neighbours overlap, and not narrower than a sample. It is mixed with what
+/// lies not more than 0.4 of its shorter side behind the nearest splat, whatever kind that is of.
+///
 /// Source  the paper, section VI (splat size); bulge and mixing are ours, their constants found by
 ///         trying (hole_test.cpp holds them to it)
 ///
-/// The background shows through by the part of the pixel that no splat covers. Voxels whose centre
-/// lies nearer than the near plane are left out. Towards the sides of very wide views (beyond about
-/// 120 degrees) splats are larger than they should be. Time grows with the number of voxels and the
-/// pixels they cover; memory is at most 44 bytes a voxel and 4 (with depth 8) a pixel.
+/// The background shows through by the part of the pixel that no splat covers. Voxels and surfels
+/// whose centre lies nearer than the near plane are left out. Towards the sides of very wide views
+/// (beyond about 120 degrees) splats are larger than they should be. Time grows with the number of
+/// splats and the pixels they cover; memory is at most 44 bytes a voxel, 72 a surfel and 4 (with
+/// depth 8) a pixel.
 ///
 /// Errors  bad_argument: the camera, the options or a cloud is out of range (the text names it);
 ///         limit_exceeded: more pixels or memory than `limits`

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 
 #include "codec/octree_voxels.h"
 
@@ -24,6 +26,58 @@ void add_cell(const VoxelCloud& cloud, uint64_t cell, unsigned level,
   }
 }
 
+bool is_finite(const glm::dvec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Visits the corners of the surfels that are drawn, in their local system.
+template <class Visit>
+void for_corners(const Surfels& surfels, const Visit& visit) {
+  for (size_t i = 0; i < surfels.size(); ++i) {
+    if (surfels.colours[i].a < kLeastOpacity) continue;
+    const glm::dvec3 u(surfels.u[i]), v(surfels.v[i]);
+    for (const glm::dvec3& side : {u + v, u - v, v - u, -u - v}) {
+      const glm::dvec3 corner = surfels.centres[i] + side;
+      if (is_finite(corner)) visit(corner);
+    }
+  }
+}
+
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+};
+
+void add_surfels(const SurfelCloud& cloud, std::vector<glm::dvec3>& points) {
+  Box whole;
+  for_corners(*cloud.surfels, [&](const glm::dvec3& p) { whole.add(p); });
+  constexpr int kCells = 1 << kOutlineLevel;
+  const glm::dvec3 cell = (whole.high - whole.low) / double{kCells};
+  std::vector<Box> boxes(size_t{kCells} * kCells * kCells);
+  for_corners(*cloud.surfels, [&](const glm::dvec3& p) {
+    size_t at = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double place = (p[k] - whole.low[k]) / cell[k];  // NaN in a flat box
+      at = at * kCells + (place > 0 ? static_cast<size_t>(std::min(place, kCells - 1.0)) : 0);
+    }
+    boxes[at].add(p);
+  });
+  for (const Box& box : boxes) {
+    if (!(box.low.x <= box.high.x)) continue;
+    for (unsigned k = 0; k < 8; ++k) {
+      const glm::dvec3 corner((k & 1U) != 0 ? box.high.x : box.low.x,
+                              (k & 2U) != 0 ? box.high.y : box.low.y,
+                              (k & 4U) != 0 ? box.high.z : box.low.z);
+      points.emplace_back(cloud.local_to_world * glm::dvec4(corner, 1));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<glm::dvec3> outline(const Scene& scene) {
@@ -37,6 +91,7 @@ std::vector<glm::dvec3> outline(const Scene& scene) {
       add_cell(cloud, cell, level, points);
     }
   }
+  for (const SurfelCloud& cloud : scene.surfels) add_surfels(cloud, points);
   return points;
 }
 

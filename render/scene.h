@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "afx/octree_model.h"
+#include "afx/surfels.h"
 
 namespace afx::render {
 
@@ -23,14 +24,29 @@ struct VoxelCloud {
   glm::dmat4 local_to_world{1};     ///< affine: the last row is (0, 0, 0, 1)
 };
 
-/// All that is drawn into one depth buffer. Voxels at about the same depth and place are mixed
-/// (renderer.h), whatever cloud they are of.
-struct Scene {
-  std::vector<VoxelCloud> voxels;
+/// Surfels more transparent than this are not drawn, the others as if they were opaque.
+inline constexpr uint8_t kLeastOpacity = 128;
+
+/// Small flat pieces of surface, seen from both sides. The caller keeps them alive while they are
+/// drawn.
+struct SurfelCloud {
+  const Surfels* surfels = nullptr;  ///< not null
+  glm::dmat4 local_to_world{1};      ///< affine: the last row is (0, 0, 0, 1)
 };
 
-/// Points in world coordinates whose convex hull holds every voxel of the scene, closely: the
-/// corners of the occupied cells at octree level 5 or coarser. For fit_camera.
+/// All that is drawn into one depth buffer. Splats at about the same depth and place are mixed
+/// (renderer.h), whatever cloud they are of.
+struct Scene {
+  std::vector<VoxelCloud> voxels{};
+  std::vector<SurfelCloud> surfels{};
+};
+
+/// Points in world coordinates whose convex hull holds everything in the scene that is drawn,
+/// closely: the corners of the voxels' occupied cells at octree level 5 or coarser; for each cloud
+/// of surfels, in 32 x 32 x 32 cells of its bounding box, the boxes around the corners of surfels
+/// that fall into each. For fit_camera.
+///
+/// scene   one that render() takes; surfels whose coordinates are not finite are passed over
 [[nodiscard]] std::vector<glm::dvec3> outline(const Scene& scene);
 
 }  // namespace afx::render

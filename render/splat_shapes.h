@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/splats.h"
+#include "render/surfel_splats.h"
 
 namespace afx::render {
 
@@ -39,6 +39,50 @@ struct Disc {
   const Splat& splat;
   float inverse;  // of the square of the radius
   float bend;
+};
+
+/// The parallelogram of a surfel. In perspective too it is exact, also where it reaches behind the
+/// eye: what lies there is outside of all four edges.
+class Parallelogram {
+ public:
+  Parallelogram(const Splat& s, const Slant& l) : splat(s), slant_(l) {
+    const float near_x = l.nearness * l.depth_x, near_y = l.nearness * l.depth_y;
+    edges_[0] = {near_x + l.s_x, near_y + l.s_y};  // s k <= 1
+    edges_[1] = {near_x - l.s_x, near_y - l.s_y};
+    edges_[2] = {near_x + l.t_x, near_y + l.t_y};
+    edges_[3] = {near_x - l.t_x, near_y - l.t_y};
+  }
+
+  [[nodiscard]] Run run(float dy) const {
+    Run run{-splat.radius, splat.radius};
+    for (const Edge& edge : edges_) {
+      const float inside = 1 - edge.y * dy;
+      if (edge.x > 0) run.last = std::min(run.last, inside / edge.x);
+      if (edge.x < 0) run.first = std::max(run.first, inside / edge.x);
+      if (edge.x == 0 && inside < 0) run.last = -kNothing;
+    }
+    return run;
+  }
+  [[nodiscard]] Hit at(float dx, float dy) const {
+    const float deeper = slant_.depth_x * dx + slant_.depth_y * dy;
+    const float k = 1 / std::max(kLeastPart, 1 - slant_.nearness * deeper);
+    const float s = k * (slant_.s_x * dx + slant_.s_y * dy);
+    const float t = k * (slant_.t_x * dx + slant_.t_y * dy);
+    return {splat.depth + k * deeper, std::max(s * s, t * t)};
+  }
+
+  const Splat& splat;
+
+ private:
+  static constexpr float kLeastPart = 1e-6F;  // no depth is a million times the centre's
+  static constexpr float kNothing = 2e18F;    // ends a run before it begins
+  /// Samples with x dx + y dy <= 1 are on its inner side.
+  struct Edge {
+    float x, y;
+  };
+
+  const Slant& slant_;
+  Edge edges_[4];
 };
 
 }  // namespace afx::render

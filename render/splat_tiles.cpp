@@ -10,7 +10,7 @@ namespace afx::render {
 namespace {
 
 constexpr size_t kMostChunks = 64;     // of a cloud; each holds a counter for each cell
-constexpr size_t kLeastChunk = 16384;  // voxels
+constexpr size_t kLeastChunk = 16384;  // voxels or surfels
 
 uint32_t cell_at(float place, float side, uint32_t count) {
   return static_cast<uint32_t>(std::clamp(place / side, 0.0F, static_cast<float>(count - 1)));
@@ -22,15 +22,7 @@ SplatTiles::SplatTiles(const Scene& scene, const Camera& camera, const RenderOpt
     : columns_((options.width + kTile - 1) / kTile), rows_((options.height + kTile - 1) / kTile) {
   make_grids(static_cast<float>(kTile * options.samples));
   make_chunks(scene);
-  const Lens lens(camera, options);
-  std::vector<SplatProjection> projections;
-  for (const VoxelCloud& cloud : scene.voxels) projections.emplace_back(cloud, lens, options);
-  parallel_for(chunks_.size(), options.threads, [&](size_t i) {
-    Chunk& chunk = chunks_[i];
-    chunk.splats = projections[chunk.cloud].project(
-        chunk.first_voxel, {splats_.get() + chunk.first_splat, chunk.voxels});
-    count_chunk(chunk);
-  });
+  project(scene, Lens(camera, options), options);
   place_chunks();
   parallel_for(chunks_.size(), options.threads, [&](size_t i) { fill_chunk(chunks_[i]); });
   chunks_.clear();
@@ -47,22 +39,50 @@ void SplatTiles::make_grids(float tile) {
   }
 }
 
+void SplatTiles::add_chunks(size_t cloud, size_t count, size_t first_splat) {
+  const size_t step = std::max(kLeastChunk, (count + kMostChunks - 1) / kMostChunks);
+  for (size_t first = 0; first < count; first += step) {
+    Chunk chunk;
+    chunk.cloud = cloud;
+    chunk.first = first;
+    chunk.count = std::min(step, count - first);
+    chunk.first_splat = first_splat + first;
+    chunks_.push_back(std::move(chunk));
+  }
+}
+
 void SplatTiles::make_chunks(const Scene& scene) {
-  size_t total = 0;
-  for (size_t k = 0; k < scene.voxels.size(); ++k) {
-    const size_t count = scene.voxels[k].codes.size();
-    const size_t step = std::max(kLeastChunk, (count + kMostChunks - 1) / kMostChunks);
-    for (size_t first = 0; first < count; first += step) {
-      Chunk chunk;
-      chunk.cloud = k;
-      chunk.first_voxel = first;
-      chunk.voxels = std::min(step, count - first);
-      chunk.first_splat = total + first;
-      chunks_.push_back(std::move(chunk));
-    }
-    total += count;
+  size_t cloud = 0, total = 0;
+  for (const VoxelCloud& voxels : scene.voxels) {
+    add_chunks(cloud++, voxels.codes.size(), total);
+    total += voxels.codes.size();
+  }
+  first_slant_ = total;
+  for (const SurfelCloud& surfels : scene.surfels) {
+    add_chunks(cloud++, surfels.surfels->size(), total);
+    total += surfels.surfels->size();
   }
   splats_ = std::make_unique_for_overwrite<Splat[]>(total);
+  slants_ = std::make_unique_for_overwrite<Slant[]>(total - first_slant_);
+}
+
+/// Fills the chunks with splats, and counts those of each cell.
+void SplatTiles::project(const Scene& scene, const Lens& lens, const RenderOptions& options) {
+  std::vector<SplatProjection> voxels;
+  std::vector<SurfelProjection> surfels;
+  for (const VoxelCloud& cloud : scene.voxels) voxels.emplace_back(cloud, lens, options);
+  for (const SurfelCloud& cloud : scene.surfels) surfels.emplace_back(cloud, lens, options);
+  parallel_for(chunks_.size(), options.threads, [&](size_t i) {
+    Chunk& chunk = chunks_[i];
+    const std::span<Splat> out(splats_.get() + chunk.first_splat, chunk.count);
+    if (chunk.cloud < voxels.size()) {
+      chunk.splats = voxels[chunk.cloud].project(chunk.first, out);
+    } else {
+      const std::span<Slant> slants(slants_.get() + chunk.first_splat - first_slant_, chunk.count);
+      chunk.splats = surfels[chunk.cloud - voxels.size()].project(chunk.first, out, slants);
+    }
+    count_chunk(chunk);
+  });
 }
 
 /// Visits the numbers of the cells that the splat is put into.

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "render/splats.h"
+#include "render/surfel_splats.h"
 
 namespace afx::render {
 
@@ -25,7 +25,7 @@ inline constexpr uint32_t kTile = 32;
 /// threads.
 class SplatTiles {
  public:
-  /// scene, camera, options   checked; fewer than 2^30 voxels in all
+  /// scene, camera, options   checked; fewer than 2^30 voxels and surfels in all
   SplatTiles(const Scene& scene, const Camera& camera, const RenderOptions& options);
 
   [[nodiscard]] uint32_t columns() const { return columns_; }
@@ -36,13 +36,18 @@ class SplatTiles {
   [[nodiscard]] std::span<const uint32_t> around(uint32_t level, uint32_t column,
                                                  uint32_t row) const;
   [[nodiscard]] const Splat& splat(uint32_t number) const { return splats_[number]; }
+  /// Of a splat that is a parallelogram; null of one that is a disc.
+  [[nodiscard]] const Slant* slant(uint32_t number) const {
+    return number < first_slant_ ? nullptr : &slants_[number - first_slant_];
+  }
 
  private:
-  /// A run of voxels that one task projects. Its splats begin at the number of its first voxel.
+  /// A run of voxels or surfels that one task projects. Its splats begin at the number of the first
+  /// one.
   struct Chunk {
-    size_t cloud = 0;
-    size_t first_voxel = 0;  // in its cloud
-    size_t voxels = 0;
+    size_t cloud = 0;  // clouds of voxels, then of surfels
+    size_t first = 0;  // in its cloud
+    size_t count = 0;
     size_t first_splat = 0;
     size_t splats = 0;
     std::vector<uint32_t> cursors;  // for each cell: first a count, then where to write next
@@ -56,6 +61,8 @@ class SplatTiles {
 
   void make_grids(float tile);
   void make_chunks(const Scene& scene);
+  void add_chunks(size_t cloud, size_t count, size_t first_splat);
+  void project(const Scene& scene, const Lens& lens, const RenderOptions& options);
   void count_chunk(Chunk& chunk);
   void place_chunks();
   void fill_chunk(Chunk& chunk);
@@ -66,6 +73,8 @@ class SplatTiles {
   std::vector<Grid> grids_;  // by level
   size_t cells_ = 0;         // of all levels
   std::unique_ptr<Splat[]> splats_;
+  std::unique_ptr<Slant[]> slants_;
+  size_t first_slant_ = 0;  // the number of the splat that has the first
   std::vector<Chunk> chunks_;
   std::vector<uint32_t> starts_;  // of each cell in entries_, and the end
   std::vector<uint32_t> entries_;

@@ -12,10 +12,7 @@
 namespace afx::render {
 namespace {
 
-constexpr double kMostRadius = 1e18;  // its square is a float still
-// Parts of the voxel's shortest side; see renderer.h.
-constexpr double kBulge = 0.5;
-constexpr double kTolerance = 0.4;
+constexpr double kBulge = 0.5;  // a part of the voxel's shortest side; see renderer.h
 
 }  // namespace
 

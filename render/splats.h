@@ -16,12 +16,13 @@
 
 namespace afx::render {
 
-/// A round splat facing the viewer. Lengths on the screen in samples, (0, 0) the upper left corner
-/// of the picture; lengths along the viewing direction in scene units.
+/// A round splat facing the viewer, or with a Slant (surfel_splats.h) a parallelogram. Lengths on
+/// the screen in samples, (0, 0) the upper left corner of the picture; lengths along the viewing
+/// direction in scene units.
 struct Splat {
   float x, y, radius;
   float depth;  ///< of its centre
-  float bulge;  ///< how much deeper its rim lies; between, the depth goes with the square
+  float bulge;  ///< how much deeper a disc's rim lies; between, the depth goes with the square
   float
       tolerance;  ///< what lies this much behind the nearest one still belongs to the same surface
   Rgba8 colour;
@@ -29,6 +30,10 @@ struct Splat {
 
 /// The smallest radius: with it every disc holds the centre of a sample, however far away it is.
 inline constexpr float kLeastRadius = 0.7072F;
+/// The largest: its square is a float still.
+inline constexpr double kMostRadius = 1e18;
+/// The tolerance of a splat, as a part of the shortest side of its voxel or surfel; see renderer.h.
+inline constexpr double kTolerance = 0.4;
 
 /// Projects the voxels of one cloud for one camera and size of picture.
 ///

@@ -147,14 +147,26 @@ void TilePainter::collect(const SplatTiles& tiles, uint32_t column, uint32_t row
   }
 }
 
+template <class Visit>
+void TilePainter::for_shapes(const SplatTiles& tiles, const Visit& visit) const {
+  for (const uint32_t number : touching_) {
+    const Splat& splat = tiles.splat(number);
+    if (const Slant* slant = tiles.slant(number)) {
+      visit(Parallelogram(splat, *slant));
+    } else {
+      visit(Disc(splat));
+    }
+  }
+}
+
 void TilePainter::paint(const SplatTiles& tiles, uint32_t column, uint32_t row,
                         RenderedImage& image) {
   clear();
   left_ = static_cast<float>(column * side_);
   top_ = static_cast<float>(row * side_);
   collect(tiles, column, row);
-  for (const uint32_t number : touching_) lay_depth(Disc(tiles.splat(number)));
-  for (const uint32_t number : touching_) lay_colour(Disc(tiles.splat(number)));
+  for_shapes(tiles, [this](const auto& shape) { lay_depth(shape); });
+  for_shapes(tiles, [this](const auto& shape) { lay_colour(shape); });
   resolve(column * kTile, row * kTile, image);
 }
 

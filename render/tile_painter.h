@@ -28,6 +28,8 @@ class TilePainter {
   };
   void clear();
   void collect(const SplatTiles& tiles, uint32_t column, uint32_t row);
+  template <class Visit>
+  void for_shapes(const SplatTiles& tiles, const Visit& visit) const;
   template <class Shape>
   void lay_depth(const Shape& shape);
   template <class Shape>

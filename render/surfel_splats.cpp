@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "render/surfel_splats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace afx::render {
+namespace {
+
+/// Their height over the longer side; of a rectangle, the shorter one. 0 of what has no area.
+double fineness(const glm::dvec3& u, const glm::dvec3& v) {
+  const double longer = std::max(glm::length(u), glm::length(v));
+  return longer > 0 ? 2 * glm::length(glm::cross(u, v)) / longer : 0;
+}
+
+/// Makes the parallelogram so wide that the disc of radius kLeastRadius fits in (nearly so, if both
+/// sides are as short as that), by moving the sides apart.
+void widen(glm::dvec2& u, glm::dvec2& v) {
+  if (glm::dot(u, u) < glm::dot(v, v)) return widen(v, u);
+  const double length = glm::length(u);
+  const glm::dvec2 along = length > 0 ? u / length : glm::dvec2(1, 0);
+  const glm::dvec2 across(-along.y, along.x);
+  const double height = glm::dot(v, across);
+  u = along * std::max<double>(length, kLeastRadius);
+  v += across * (std::copysign(std::max<double>(std::abs(height), kLeastRadius), height) - height);
+}
+
+}  // namespace
+
+SurfelProjection::SurfelProjection(const SurfelCloud& cloud, const Lens& lens,
+                                   const RenderOptions& options)
+    : surfels_(*cloud.surfels),
+      lens_(lens),
+      scale_(options.splat_scale * kSurfelMargin),
+      axes_(lens.to_view * glm::dmat3(cloud.local_to_world)),
+      origin_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)) {}
+
+SurfelProjection::Half SurfelProjection::half(const glm::dvec3& centre,
+                                              const glm::dvec3& side) const {
+  glm::dvec2 offset(side);
+  if (lens_.perspective) offset -= glm::dvec2(centre) * (side.z / centre.z);
+  return {glm::dvec2(offset.x, -offset.y) * lens_.zoom_at(-centre.z), -side.z};
+}
+
+/// How far the corners are from the centre on the screen, the larger of both ways. A point that
+/// lies e deeper than the centre is nearer to it by depth / (depth + e).
+double SurfelProjection::reach(const Half& u, const Half& v, double depth) const {
+  double farthest = 0;
+  for (const double s : {-1.0, 1.0}) {
+    for (const double t : {-1.0, 1.0}) {
+      double zoom = 1;
+      if (lens_.perspective) {
+        const double part = 1 + (s * u.depth + t * v.depth) / depth;
+        if (part < 1e-6) return kMostRadius;  // beside or behind the eye
+        zoom = 1 / part;
+      }
+      const glm::dvec2 corner = zoom * glm::abs(s * u.offset + t * v.offset);
+      farthest = std::max({farthest, corner.x, corner.y});
+    }
+  }
+  return std::min(farthest, kMostRadius);
+}
+
+bool SurfelProjection::project_surfel(size_t number, Splat& splat, Slant& slant) const {
+  const glm::dvec3 centre = axes_ * surfels_.centres[number] + origin_;
+  const glm::dvec3 side_u = axes_ * glm::dvec3(surfels_.u[number]);
+  const glm::dvec3 side_v = axes_ * glm::dvec3(surfels_.v[number]);
+  if (!lens_.in_view(centre, scale_ * (glm::length(side_u) + glm::length(side_v)))) return false;
+  const double depth = -centre.z;
+  Half u = half(centre, scale_ * side_u);
+  Half v = half(centre, scale_ * side_v);
+  widen(u.offset, v.offset);
+  const glm::dvec2 at = lens_.place(centre);
+  const double radius = reach(u, v, depth);
+  const double area = u.offset.x * v.offset.y - u.offset.y * v.offset.x;
+  if (!lens_.on_screen(at, radius) || !std::isfinite(area)) return false;
+
+  splat.x = static_cast<float>(at.x);
+  splat.y = static_cast<float>(at.y);
+  splat.radius = static_cast<float>(radius);
+  splat.depth = static_cast<float>(depth);
+  splat.bulge = 0;
+  splat.tolerance = static_cast<float>(kTolerance * fineness(side_u, side_v));
+  const glm::dvec2 s(v.offset.y / area, -v.offset.x / area);
+  const glm::dvec2 t(-u.offset.y / area, u.offset.x / area);
+  const glm::dvec2 deeper = s * u.depth + t * v.depth;
+  slant.s_x = static_cast<float>(s.x);
+  slant.s_y = static_cast<float>(s.y);
+  slant.t_x = static_cast<float>(t.x);
+  slant.t_y = static_cast<float>(t.y);
+  slant.depth_x = static_cast<float>(deeper.x);
+  slant.depth_y = static_cast<float>(deeper.y);
+  slant.nearness = lens_.perspective ? static_cast<float>(1 / depth) : 0;
+  return true;
+}
+
+size_t SurfelProjection::project(size_t first, std::span<Splat> out,
+                                 std::span<Slant> slants) const {
+  size_t count = 0;
+  for (size_t i = first; i < first + out.size(); ++i) {
+    Splat splat;
+    if (surfels_.colours[i].a < kLeastOpacity) continue;
+    if (!project_surfel(i, splat, slants[count])) continue;
+    splat.colour = surfels_.colours[i];
+    out[count++] = splat;
+  }
+  return count;
+}
+
+}  // namespace afx::render
