@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Models to surfels. Source: the paper, section VII.A (point-based representation).
+#pragma once
+
+#include <span>
+
+#include "afx/depth_image.h"
+#include "afx/dibr_model.h"
+#include "afx/octree_model.h"
+#include "afx/surfels.h"
+#include "codec/diagnostics.h"
+#include "codec/error.h"
+#include "codec/limits.h"
+
+namespace afx {
+
+/// How far the distances of two neighbouring pixels of one surface may differ, in pixel sides: the
+/// surface is then seen at 14 degrees, where its own pixels no longer show it well. Beyond it is
+/// another surface. One step of the depth is allowed on top: rounding alone can part neighbours by
+/// that much.
+inline constexpr double kSurfaceStep = 4;
+
+/// Half the side of a voxel's piece, in voxel sides. Neighbours in a surface across an edge are
+/// sqrt(2) apart, so less than 0.71 would part them.
+inline constexpr double kVoxelHalfSide = 0.72;
+
+/// Every pixel of the model becomes the piece of surface that its cell covers, in the coordinates
+/// of the node, from the lower left, rows upward. It is tilted as the distances of the neighbours
+/// on the same surface say (kSurfaceStep; both sides or the one there is, else frontal). In its own
+/// camera it covers its pixel and reaches no neighbour's centre; u points right, v up, u x v to the
+/// viewer. Samples of a PointTexture do the same with the nearest sample of each neighbouring
+/// pixel. The last of 2 or 4 components becomes opacity; pixels whose opacity is 0 are left out.
+///
+/// threads   0 = all cores; the result is the same for any number
+/// Errors    those of check_depth_image; limit_exceeded: more than limits.memory / kSurfelBytes
+Result<Surfels> surfels_of(const DepthImage& image, unsigned threads, const Limits& limits);
+
+/// Every voxel of the finest level becomes a square (kVoxelHalfSide) with the colour of
+/// colour_octree, in the octree's cube, in the order of Morton codes. It faces as surface_normals
+/// says (voxel_shading.h; +z where that is zero). Its centre lies on the line through the voxel's
+/// in that direction, as high as the mean of its neighbours but inside the voxel: the surface is
+/// smoother than the grid, and has no gaps where it is seen from the side.
+/// Errors, warnings   those of colour_octree; limit_exceeded as above
+Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Limits& limits,
+                           Diagnostics& diagnostics);
+
+/// All objects of a scene together, in the world's coordinates. Where a transform mirrors, u and v
+/// are exchanged, so that u x v still points outwards.
+/// Errors, warnings   as above; bad_argument: a transform that is not finite
+Result<Surfels> surfels_of(std::span<const DibrModel> models, unsigned threads,
+                           const Limits& limits, Diagnostics& diagnostics);
+
+}  // namespace afx
