@@ -26,4 +26,23 @@ class MeshViews : public ViewSource {
   Limits limits_;
 };
 
+/// Views of pieces of surface (surfel_drawing.h). They must stay as they are.
+class SurfelViews : public ViewSource {
+ public:
+  SurfelViews(const Surfels& surfels, unsigned threads, const Limits& limits)
+      : surfels_(surfels), threads_(threads), limits_(limits) {}
+
+  [[nodiscard]] Bounds bounds_along(const glm::dmat3& axes) const override;
+  Result<DepthImage> take(const Shot& shot, unsigned depth_bits) const override;
+  /// To a step of 16 bits of depth.
+  Result<std::vector<float>> distances(const Shot& shot) const override;
+  /// Errors  bad_argument: there are no pieces
+  Result<PointCloud> samples(size_t count) const override;
+
+ private:
+  const Surfels& surfels_;
+  unsigned threads_;
+  Limits limits_;
+};
+
 }  // namespace afx
