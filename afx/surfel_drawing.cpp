@@ -70,10 +70,6 @@ struct PixelSum {
   }
 };
 
-Error too_much(const std::string& what) {
-  return {Errc::limit_exceeded, Place::none(), what + " (more than the limit)"};
-}
-
 class Drawing {
  public:
   Drawing(const Surfels& surfels, const DepthCamera& camera, SimpleTexture& picture)
@@ -194,30 +190,18 @@ class Drawing {
   double near_, far_;  // half a step of the depth beyond the planes
 };
 
-Status check_request(const DepthCamera& camera, uint64_t width, uint64_t height,
-                     unsigned depth_bits, size_t pieces, const Limits& limits) {
-  if (Status checked = check_depth_camera(camera); !checked.ok()) return checked;
-  if (width == 0 || height == 0)
-    return Error{Errc::bad_argument, Place::none(), "the picture has no pixels"};
-  if (depth_bits < 1 || depth_bits > 16)
-    return Error{Errc::bad_argument, Place::none(),
-                 "the depth has " + std::to_string(depth_bits) + " bits (expected 1 to 16)"};
-  constexpr uint64_t kPixelBytes = 6;  // colour and depth
-  if (width * height > std::min(limits.picture_pixels, limits.memory / kPixelBytes))
-    return too_much("the picture has " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels");
-  if (pieces > std::min<uint64_t>(limits.memory / sizeof(Rows), 0xffffffff))
-    return too_much("there are " + std::to_string(pieces) + " pieces of surface");
-  return {};
-}
+constexpr uint64_t kPixelBytes = 6;  // colour and depth
 
 }  // namespace
 
 Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
                                 uint32_t height, unsigned depth_bits, unsigned threads,
                                 const Limits& limits) {
-  if (Status s = check_request(camera, width, height, depth_bits, surfels.size(), limits); !s.ok())
+  const DepthRequest request{width, height, depth_bits};
+  if (Status s = check_depth_request(camera, request, 16, kPixelBytes, limits); !s.ok())
     return s.error();
+  if (surfels.size() > std::min<uint64_t>(limits.memory / sizeof(Rows), 0xffffffff))
+    return too_much("there are " + std::to_string(surfels.size()) + " pieces of surface");
   const bool opaque = std::all_of(surfels.colours.begin(), surfels.colours.end(),
                                   [](Rgba8 c) { return c.a == 255 || c.a == 0; });
   SimpleTexture picture;

@@ -15,10 +15,6 @@
 
 namespace afx {
 
-/// The most pixels that pieces may touch on one picture together: beyond lies no model seen from
-/// outside, but pieces so large that the time would have no bound.
-inline constexpr uint64_t kMostSurfelPixels = uint64_t{1} << 31;
-
 /// Draws surfels into a SimpleTexture. A piece is seen in the pixels whose centres it covers and in
 /// the one where its own centre falls, as far as it lies between the near and far plane there.
 ///
@@ -35,7 +31,7 @@ inline constexpr uint64_t kMostSurfelPixels = uint64_t{1} << 31;
 /// threads     0 = all cores; the result is the same for any number
 /// Returns   RGB, or RGBA where there is a piece that is not opaque; black where nothing is seen
 /// Errors    bad_argument: those of check_depth_camera, a size of 0, depth_bits; limit_exceeded:
-///           limits.picture_pixels, limits.memory, kMostSurfelPixels
+///           limits.picture_pixels, limits.memory, kMostSurfelPixels (surfel_footprint.h)
 Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
                                 uint32_t height, unsigned depth_bits, unsigned threads,
                                 const Limits& limits);

@@ -21,6 +21,25 @@ void limit(double low, double high, double count, uint32_t& first, uint32_t& end
 
 }  // namespace
 
+Error too_much(const std::string& what) {
+  return {Errc::limit_exceeded, Place::none(), what + " (more than the limit)"};
+}
+
+Status check_depth_request(const DepthCamera& camera, const DepthRequest& request,
+                           unsigned most_bits, uint64_t pixel_bytes, const Limits& limits) {
+  if (Status checked = check_depth_camera(camera); !checked.ok()) return checked;
+  const uint64_t pixels = uint64_t{request.width} * request.height;
+  if (pixels == 0) return Error{Errc::bad_argument, Place::none(), "the picture has no pixels"};
+  if (request.depth_bits < 1 || request.depth_bits > most_bits)
+    return Error{Errc::bad_argument, Place::none(),
+                 "the depth has " + std::to_string(request.depth_bits) + " bits (expected 1 to " +
+                     std::to_string(most_bits) + ")"};
+  if (pixels > std::min(limits.picture_pixels, limits.memory / pixel_bytes))
+    return too_much("the picture has " + std::to_string(request.width) + " x " +
+                    std::to_string(request.height) + " pixels");
+  return {};
+}
+
 uint32_t SurfelFootprint::first_row() const {
   if (range.count() == 0) return owns_pixel ? own_j : 0;
   return owns_pixel ? std::min(range.j0, own_j) : range.j0;

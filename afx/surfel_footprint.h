@@ -9,11 +9,32 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 
 #include "afx/depth_camera.h"
 #include "afx/surfels.h"
+#include "codec/error.h"
+#include "codec/limits.h"
 
 namespace afx {
+
+/// The most pixels that pieces may touch on one picture together: beyond lies no model seen from
+/// outside, but pieces so large that the time would have no bound.
+inline constexpr uint64_t kMostSurfelPixels = uint64_t{1} << 31;
+
+/// limit_exceeded: `what` is more than the limit.
+Error too_much(const std::string& what);
+
+/// A picture that is asked for.
+struct DepthRequest {
+  uint32_t width = 0, height = 0;
+  unsigned depth_bits = 0;
+};
+
+/// Errors  bad_argument: those of check_depth_camera, a size of 0, depth_bits outside 1..most_bits;
+///         limit_exceeded: limits.picture_pixels, or limits.memory with pixel_bytes a pixel
+Status check_depth_request(const DepthCamera& camera, const DepthRequest& request,
+                           unsigned most_bits, uint64_t pixel_bytes, const Limits& limits);
 
 /// A range of pixels counted from the lower left: i0 <= i < i1, j0 <= j < j1.
 struct PixelRange {
