@@ -9,6 +9,11 @@
 #include "codec/octree.h"
 
 namespace afx {
+namespace {
+
+int32_t last_fixed(unsigned levels) { return static_cast<int32_t>(kSubvoxels << levels) - 1; }
+
+}  // namespace
 
 Bounds bounds_of(std::span<const glm::vec3> points) {
   if (points.empty()) return {};
@@ -33,20 +38,34 @@ Grid::Grid(const Bounds& bounds, uint32_t wanted)
     const auto end = static_cast<int32_t>(std::llround(high * kSubvoxels));
     const bool flat =
         !(extent[axis] * scale * kSubvoxels > 1);  // nothing but this end: no taking back
-    const int32_t cube_end = static_cast<int32_t>(kSubvoxels << levels) - 1;
-    last[axis] = std::min(flat ? end : end - 1, cube_end);
+    last[axis] = std::min(flat ? end : end - 1, last_fixed(levels));
   }
 }
+
+Grid::Grid(const Cube& cube, uint32_t wanted)
+    : levels(octree_levels(wanted)),
+      resolution(wanted),
+      scale(std::ldexp(1.0, static_cast<int>(levels)) / cube.side),
+      object_centre(cube.centre),
+      middle(std::ldexp(0.5, static_cast<int>(levels))),
+      rounding(0),
+      last(last_fixed(levels)) {}
 
 glm::dvec3 Grid::to_voxels(const glm::vec3& point) const {
   return (glm::dvec3(point) - object_centre) * scale + glm::dvec3(middle);
 }
 
+bool Grid::holds(const glm::vec3& point) const {
+  const glm::dvec3 place = to_voxels(point);
+  const double end = std::ldexp(1.0, static_cast<int>(levels));
+  const auto is_in = [&](double v) { return v >= 0 && v < end; };
+  return is_in(place.x) && is_in(place.y) && is_in(place.z);
+}
+
 glm::ivec3 Grid::to_fixed(const glm::vec3& point) const {
   const glm::dvec3 place = to_voxels(point) * static_cast<double>(kSubvoxels);
-  const auto rounded = [](double v) { return static_cast<int32_t>(std::llround(v)); };
-  const glm::ivec3 fixed(rounded(place.x), rounded(place.y), rounded(place.z));
-  return glm::clamp(fixed, glm::ivec3(0), last);
+  const glm::dvec3 rounded = glm::floor(place + rounding);
+  return glm::ivec3(glm::clamp(rounded, glm::dvec3(0), glm::dvec3(last)));
 }
 
 }  // namespace afx
