@@ -162,6 +162,49 @@ TEST(ReadMesh, AppliesTheTransformsOfNodes) {
   EXPECT_GT(a.x * b.y - a.y * b.x, 0);
 }
 
+TEST(ReadMesh, AppliesTheTransformsOfNodesToEachInstance) {
+  // One mesh under three nodes: scaled, with a child that is moved in the scaled coordinates, and a
+  // mirror in a mirror.
+  std::string text = gltf();
+  const size_t begin = text.find("\"nodes\":[{\"translation\""), end = text.find("\"meshes\":");
+  text.replace(begin, end - begin,
+               R"("nodes":[{"children":[1,3]},{"scale":[2,3,1],"mesh":0,"children":[2]},
+                  {"translation":[5,0,0],"mesh":0},{"scale":[1,-1,1],"children":[4]},
+                  {"scale":[1,-1,1],"translation":[0,-7,0],"mesh":0}],)");
+  const TestFolder folder;
+  const Read result = read(folder.write("a.gltf", text));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  const Mesh& mesh = result.mesh.value();
+  ASSERT_THAT(mesh.triangles, SizeIs(3));
+  const std::vector<std::vector<glm::vec3>> expected = {{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}},
+                                                        {{10, 0, 0}, {12, 0, 0}, {10, 3, 0}},
+                                                        {{0, 7, 0}, {1, 7, 0}, {0, 8, 0}}};
+  for (size_t t = 0; t < 3; ++t)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_EQ(mesh.positions[mesh.triangles[t][k]], expected[t][static_cast<size_t>(k)]);
+}
+
+TEST(ReadMesh, GivesEachTriangleItsMaterial) {
+  const TestFolder folder;
+  folder.write("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  const Read result = read(folder.write(
+      "a.obj",
+      "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 2 3\nusemtl blue\n"
+      "f 1 2 4\nusemtl red\nf 1 3 4\n"));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  const Mesh& mesh = result.mesh.value();
+  ASSERT_THAT(mesh.triangles, SizeIs(3));
+  size_t blue = 0;
+  for (size_t t = 0; t < 3; ++t) {
+    const bool on_axes_x_and_z =
+        mesh.positions[mesh.triangles[t].y].y == 0 && mesh.positions[mesh.triangles[t].z].y == 0;
+    const glm::vec3 colour = mesh.materials[mesh.material_of[t]].colour;
+    EXPECT_EQ(colour, on_axes_x_and_z ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0));
+    blue += on_axes_x_and_z ? 1 : 0;
+  }
+  EXPECT_EQ(blue, 1U);
+}
+
 TEST(ReadMesh, TakesColoursOfGltfAsLinearLight) {
   const TestFolder folder;
   const Read result = read(folder.write("a.gltf", gltf()));
@@ -441,6 +484,28 @@ TEST(ReadMesh, CountsTrianglesThatCannotBeUsed) {
   ASSERT_FALSE(result.mesh.ok());
   EXPECT_THAT(result.mesh.error().text,
               HasSubstr("none of the file's 1 triangles can be used (1 "));
+}
+
+TEST(ReadMesh, LeavesOutTrianglesWithoutFiniteCoordinates) {
+  const TestFolder folder;
+  const Read result = read(folder.write(
+      "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 0 inf 0\nf 1 2 3\nf 1 2 4\nf 5 2 3\n"));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  EXPECT_THAT(result.mesh.value().triangles, SizeIs(1));
+  for (const glm::vec3& p : result.mesh.value().positions)
+    EXPECT_TRUE(p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1);
+  ASSERT_THAT(result.diagnostics.warnings(), SizeIs(1));
+  EXPECT_EQ(result.diagnostics.warnings()[0].code, "non_finite");
+  EXPECT_THAT(result.diagnostics.warnings()[0].text, HasSubstr("2 triangles"));
+}
+
+TEST(ReadMesh, KeepsTrianglesWithoutArea) {
+  const TestFolder folder;
+  const Read result = read(
+      folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 2\n"));
+  ASSERT_TRUE(result.mesh.ok()) << result.mesh.error().text;
+  EXPECT_THAT(result.mesh.value().triangles, SizeIs(3));
+  EXPECT_EQ(result.diagnostics.count(), 0U);
 }
 
 // A square whose materials each name a texture; every triangle of another.

@@ -55,6 +55,17 @@ TEST(SampleSurface, PutsPointsOnTheSurfaceAndNotTwoInOnePlace) {
   for (const int points : cells) EXPECT_NEAR(points, 15.6, 6);
 }
 
+TEST(SampleSurface, PutsNoPointsOnTrianglesWithoutArea) {
+  Mesh mesh = textured_square(Picture(1, 1, 3));
+  mesh.triangles.insert(mesh.triangles.begin(), {0, 1, 1});
+  mesh.triangles.insert(mesh.triangles.begin() + 2, {2, 2, 2});
+  add_triangle(mesh, 3, 3, 0);
+  mesh.material_of.assign(5, 0);
+  const PointCloud cloud = samples(mesh, {.points = 100});
+  ASSERT_EQ(cloud.positions.size(), 100U);
+  for (const glm::vec3& normal : cloud.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+}
+
 TEST(SampleSurface, SpacingIsASquareForEachPoint) {
   EXPECT_EQ(samples(box_mesh({0, 0, 0}, {1, 2, 3}), {.spacing = 0.1}).positions.size(), 2200U);
   EXPECT_EQ(samples(box_mesh({0, 0, 0}, {1, 2, 3}), {.spacing = 100}).positions.size(), 1U);

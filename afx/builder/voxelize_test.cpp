@@ -300,5 +300,38 @@ TEST(Voxelize, OpaqueSurfaceStaysWhateverLiesOnIt) {
   for (const Rgba8& colour : voxels.colours) EXPECT_EQ(colour, (Rgba8{0, 0, 255, 255}));
 }
 
+TEST(Voxelize, TrianglesWithoutAreaAreTheLinesAndPointsThatTheyAre) {
+  Mesh mesh;
+  mesh.materials.push_back({.colour = {1, 0, 0}});
+  mesh.positions = {{0, 0, 0}, {8, 8, 8}, {4, 4, 4}, {8, 0, 0}};
+  add_triangle(mesh, 0, 1, 2);  // a line: the diagonal
+  add_triangle(mesh, 0, 1, 1);  // the same with a corner twice
+  add_triangle(mesh, 3, 3, 3);  // a point, in the corner of the cube
+  const SurfaceVoxels voxels = voxels_of(mesh, 8);
+  std::set<uint64_t> expected = {codec::morton_code({7, 0, 0})};
+  for (uint32_t i = 0; i < 8; ++i) expected.insert(codec::morton_code({i, i, i}));
+  const std::set<uint64_t> found(voxels.codes.begin(), voxels.codes.end());
+  // Where the diagonal passes through corners of voxels, their neighbours may be set too.
+  EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
+  for (const Rgba8& colour : voxels.colours) EXPECT_EQ(colour, (Rgba8{255, 0, 0, 255}));
+  for (const glm::vec3& normal : voxels.normals) EXPECT_EQ(normal, glm::vec3(0));
+}
+
+TEST(Voxelize, TrianglesWithoutAreaMakeNoHoles) {
+  // A long side of each face with a needle of no area beside it.
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
+  const SurfaceVoxels before = voxels_of(mesh, 32);
+  const size_t triangles = mesh.triangles.size();
+  for (size_t t = 0; t < triangles; ++t) {
+    const glm::uvec3 v = mesh.triangles[t];
+    const auto middle = static_cast<uint32_t>(mesh.positions.size());
+    mesh.positions.push_back((mesh.positions[v.x] + mesh.positions[v.y]) / 2.0F);
+    mesh.triangles[t] = {v.x, middle, v.z};
+    add_triangle(mesh, middle, v.y, v.z);
+    add_triangle(mesh, v.x, v.y, middle);
+  }
+  EXPECT_EQ(voxels_of(mesh, 32).codes, before.codes);
+}
+
 }  // namespace
 }  // namespace afx
