@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "afx/builder/mesh.h"
+#include "afx/builder/placement.h"
 #include "afx/builder/shading.h"
 #include "afx/octree_model.h"
 #include "codec/diagnostics.h"
@@ -21,8 +22,6 @@ namespace afx {
 /// The greatest resolution that the builder builds.
 inline constexpr uint32_t kMaxBuildResolution = 2048;
 
-/// Which axis of the input points up; the model is turned so that it becomes y.
-enum class UpAxis : uint8_t { y, z };
 
 struct BuildOptions {
   uint32_t resolution = 256;  ///< voxels along the longest side of the object, 1..2048
