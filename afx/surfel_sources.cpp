@@ -270,6 +270,13 @@ Result<std::vector<Surfels>> parts_of(const DibrModel& model, unsigned threads,
 
 }  // namespace
 
+void push_square(Surfels& surfels, const glm::dvec3& centre, const glm::vec3& normal, float half,
+                 Rgba8 colour) {
+  const glm::vec3 n = normal == glm::vec3(0) ? glm::vec3(0, 0, 1) : normal;
+  const glm::vec3 u = perpendicular(n);
+  surfels.push_back(centre, half * u, half * glm::cross(n, u), colour);
+}
+
 Result<Surfels> surfels_of(const DepthImage& image, unsigned threads, const Limits& limits) {
   if (Status checked = check_depth_image(image); !checked.ok()) return checked.error();
   if (const auto* simple = std::get_if<SimpleTexture>(&image.texture))
@@ -296,11 +303,9 @@ Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Lim
   Surfels surfels;
   surfels.reserve(voxels.codes.size());
   for (size_t n = 0; n < voxels.codes.size(); ++n) {
-    const glm::vec3 normal = normals[n] == glm::vec3(0) ? glm::vec3(0, 0, 1) : normals[n];
-    const glm::vec3 u = perpendicular(normal);
-    const glm::dvec3 shift = side * static_cast<double>(heights[n]) * glm::dvec3(normal);
-    surfels.push_back(voxel_centre(voxels.codes[n], levels) + shift, half * u,
-                      half * glm::cross(normal, u), voxels.colours[n]);
+    const glm::dvec3 shift = side * static_cast<double>(heights[n]) * glm::dvec3(normals[n]);
+    push_square(surfels, voxel_centre(voxels.codes[n], levels) + shift, normals[n], half,
+                voxels.colours[n]);
   }
   return surfels;
 }

@@ -26,6 +26,11 @@ inline constexpr double kSurfaceStep = 4;
 /// sqrt(2) apart, so less than 0.71 would part them.
 inline constexpr double kVoxelHalfSide = 0.72;
 
+/// Adds a square around a centre with sides of 2 * half.
+/// normal   where its outside is, of length 1; +z where it is (0, 0, 0)
+void push_square(Surfels& surfels, const glm::dvec3& centre, const glm::vec3& normal, float half,
+                 Rgba8 colour);
+
 /// Every pixel of the model becomes the piece of surface that its cell covers, in the coordinates
 /// of the node, from the lower left, rows upward. It is tilted as the distances of the neighbours
 /// on the same surface say (kSurfaceStep; both sides or the one there is, else frontal). In its own
