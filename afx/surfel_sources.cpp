@@ -10,6 +10,7 @@
 #include <string>
 
 #include "afx/octree_colours.h"
+#include "afx/pixel_pieces.h"
 #include "afx/reference_projection.h"
 #include "afx/voxel_blocks.h"
 #include "afx/voxel_shading.h"
@@ -21,12 +22,6 @@ namespace {
 
 constexpr float kInsideVoxel = 0.45F;  // of a voxel's side, how far from its centre is inside
 
-/// What a pixel shows: a distance and a colour.
-struct Sample {
-  double distance;
-  Rgba8 colour;
-};
-
 /// The pixels of a SimpleTexture, counted from the lower left.
 class SimpleSamples {
  public:
@@ -34,20 +29,20 @@ class SimpleSamples {
       : camera_(image.camera), texture_(texture), dmax_(texture.dmax()) {}
 
   [[nodiscard]] size_t count(uint32_t i, uint32_t j) const { return at(i, j) ? 1 : 0; }
-  [[nodiscard]] Sample sample(uint32_t i, uint32_t j, size_t) const { return *at(i, j); }
+  [[nodiscard]] PixelSample sample(uint32_t i, uint32_t j, size_t) const { return *at(i, j); }
   /// The distance seen in a pixel.
   [[nodiscard]] std::optional<double> nearest(uint32_t i, uint32_t j, double) const {
-    const std::optional<Sample> seen = at(i, j);
+    const std::optional<PixelSample> seen = at(i, j);
     return seen ? std::optional(seen->distance) : std::nullopt;
   }
 
  private:
-  [[nodiscard]] std::optional<Sample> at(uint32_t i, uint32_t j) const {
+  [[nodiscard]] std::optional<PixelSample> at(uint32_t i, uint32_t j) const {
     const uint32_t row = texture_.colour.height - 1 - j;
     const uint16_t depth = texture_.depth.samples[size_t{row} * texture_.colour.width + i];
     const Rgba8 colour = colour_at(texture_.colour, i, row);
     if (depth == 0 || colour.a == 0) return std::nullopt;
-    return Sample{depth_to_distance(depth, dmax_, camera_), colour};
+    return PixelSample{depth_to_distance(depth, dmax_, camera_), colour};
   }
 
   const DepthCamera& camera_;
@@ -68,7 +63,7 @@ class LayerSamples {
     if (texture_.starts.empty()) return 0;
     return texture_.starts[pixel(i, j) + 1] - texture_.starts[pixel(i, j)];
   }
-  [[nodiscard]] Sample sample(uint32_t i, uint32_t j, size_t n) const {
+  [[nodiscard]] PixelSample sample(uint32_t i, uint32_t j, size_t n) const {
     const size_t at = texture_.starts[pixel(i, j)] + n;
     return {distance(texture_.depths[at]), texture_.colours[at]};
   }
@@ -100,107 +95,12 @@ class LayerSamples {
   std::vector<uint32_t> sorted_;  // the depths, ascending within each pixel
 };
 
-/// From distances to pieces, for one camera and size of picture.
-template <class Samples>
-class PixelPieces {
- public:
-  PixelPieces(const DepthImage& image, const Samples& samples, uint64_t dmax)
-      : projection_(image.camera),
-        samples_(samples),
-        width_(image.width()),
-        height_(image.height()),
-        perspective_(!image.camera.orthographic),
-        step_((image.camera.far_plane - image.camera.near_plane) /
-              static_cast<double>(std::max<uint64_t>(dmax, 2) - 1)) {}
-
-  [[nodiscard]] size_t count_row(uint32_t j) const {
-    size_t count = 0;
-    for (uint32_t i = 0; i < width_; ++i) count += samples_.count(i, j);
-    return count;
-  }
-
-  void fill_row(uint32_t j, size_t at, Surfels& surfels) const {
-    for (uint32_t i = 0; i < width_; ++i)
-      for (size_t n = 0; n < samples_.count(i, j); ++n, ++at) {
-        const Sample sample = samples_.sample(i, j, n);
-        place(i, j, sample.distance, at, surfels);
-        surfels.colours[at] = sample.colour;
-      }
-  }
-
- private:
-  void place(uint32_t i, uint32_t j, double distance, size_t at, Surfels& surfels) const {
-    const ScreenPoint middle{(i + 0.5) / width_, (j + 0.5) / height_, distance};
-    const glm::dvec2 slope = slope_at(i, j, distance);
-    const glm::dvec3 centre = projection_.point(middle);
-    const auto to = [&](double du, double dv, double deeper) {
-      return projection_.point({middle.u + du, middle.v + dv, distance + deeper}) - centre;
-    };
-    surfels.centres[at] = centre;
-    surfels.u[at] = glm::vec3(to(0.5 / width_, 0, 0) + to(0, 0, slope.x / 2));
-    surfels.v[at] = glm::vec3(to(0, 0.5 / height_, 0) + to(0, 0, slope.y / 2));
-  }
-
-  /// How much farther the surface is one pixel to the right, and one up.
-  [[nodiscard]] glm::dvec2 slope_at(uint32_t i, uint32_t j, double distance) const {
-    const glm::dvec2 side = projection_.extent(distance) / glm::dvec2(width_, height_);
-    const auto near = [&](bool inside, uint32_t ni, uint32_t nj, double pixel) {
-      std::optional<double> there;
-      if (inside) there = samples_.nearest(ni, nj, distance);
-      if (there && std::abs(*there - distance) > kSurfaceStep * pixel + step_) there.reset();
-      return there;
-    };
-    glm::dvec2 slope(
-        between(near(i > 0, i - 1, j, side.x), distance, near(i + 1 < width_, i + 1, j, side.x)),
-        between(near(j > 0, i, j - 1, side.y), distance, near(j + 1 < height_, i, j + 1, side.y)));
-    // Very wide angles: the near end of the piece must not reach the next pixel's centre.
-    const double steep = std::abs(slope.x) + std::abs(slope.y);
-    if (perspective_ && steep > distance / 2) slope *= distance / 2 / steep;
-    return slope;
-  }
-
-  static double between(std::optional<double> before, double here, std::optional<double> after) {
-    if (before && after) return (*after - *before) / 2;
-    if (after) return *after - here;
-    return before ? here - *before : 0;
-  }
-
-  CameraProjection projection_;
-  const Samples& samples_;
-  uint32_t width_, height_;
-  bool perspective_;
-  double step_;  // of the depth
-};
-
-Status check_memory(uint64_t pieces, const Limits& limits) {
-  if (pieces <= limits.memory / kSurfelBytes) return {};
-  return Error{Errc::limit_exceeded, Place::none(),
-               std::to_string(pieces) + " pieces of surface take more memory than the limit"};
-}
-
-void resize(Surfels& surfels, size_t count) {
-  surfels.centres.resize(count);
-  surfels.u.resize(count);
-  surfels.v.resize(count);
-  surfels.colours.resize(count);
-}
-
-template <class Samples>
-Result<Surfels> pieces_of(const DepthImage& image, const Samples& samples, uint64_t dmax,
-                          unsigned threads, const Limits& limits) {
-  const PixelPieces<Samples> pieces(image, samples, dmax);
-  std::vector<size_t> starts(image.height());
-  size_t count = 0;
-  for (uint32_t j = 0; j < image.height(); ++j) {
-    starts[j] = count;
-    count += pieces.count_row(j);
-  }
-  if (Status memory = check_memory(count, limits); !memory.ok()) return memory.error();
-  Surfels surfels;
-  resize(surfels, count);
-  parallel_for(image.height(), threads,
-               [&](size_t j) { pieces.fill_row(static_cast<uint32_t>(j), starts[j], surfels); });
-  return surfels;
+/// Pixels as a DepthImage has them.
+PixelGrid grid_of(const DepthImage& image, uint64_t dmax) {
+  PixelGrid grid{image.camera, image.width(), image.height()};
+  grid.step = (image.camera.far_plane - image.camera.near_plane) /
+              static_cast<double>(std::max<uint64_t>(dmax, 2) - 1);
+  return grid;
 }
 
 /// A unit vector perpendicular to a unit vector.
@@ -239,16 +139,6 @@ bool is_finite(const glm::dmat4& m) {
   return true;
 }
 
-void append(const Surfels& from, const glm::dmat4& to_world, Surfels& to) {
-  const glm::dmat3 linear(to_world);
-  const bool mirrors = glm::determinant(linear) < 0;
-  for (size_t n = 0; n < from.size(); ++n) {
-    const glm::vec3 u(linear * glm::dvec3(from.u[n])), v(linear * glm::dvec3(from.v[n]));
-    const glm::dvec3 centre(to_world * glm::dvec4(from.centres[n], 1));
-    to.push_back(centre, mirrors ? v : u, mirrors ? u : v, from.colours[n]);
-  }
-}
-
 /// The pieces of each part of one object, its own coordinates.
 Result<std::vector<Surfels>> parts_of(const DibrModel& model, unsigned threads,
                                       const Limits& limits, Diagnostics& diagnostics) {
@@ -277,14 +167,25 @@ void push_square(Surfels& surfels, const glm::dvec3& centre, const glm::vec3& no
   surfels.push_back(centre, half * u, half * glm::cross(n, u), colour);
 }
 
+void append(const Surfels& from, const glm::dmat4& to_world, Surfels& to) {
+  const glm::dmat3 linear(to_world);
+  const bool mirrors = glm::determinant(linear) < 0;
+  for (size_t n = 0; n < from.size(); ++n) {
+    const glm::vec3 u(linear * glm::dvec3(from.u[n])), v(linear * glm::dvec3(from.v[n]));
+    const glm::dvec3 centre(to_world * glm::dvec4(from.centres[n], 1));
+    to.push_back(centre, mirrors ? v : u, mirrors ? u : v, from.colours[n]);
+  }
+}
+
 Result<Surfels> surfels_of(const DepthImage& image, unsigned threads, const Limits& limits) {
   if (Status checked = check_depth_image(image); !checked.ok()) return checked.error();
   if (const auto* simple = std::get_if<SimpleTexture>(&image.texture))
-    return pieces_of(image, SimpleSamples(image, *simple), simple->dmax(), threads, limits);
+    return pieces_of(grid_of(image, simple->dmax()), SimpleSamples(image, *simple), threads,
+                     limits);
   const auto& layers = std::get<PointTexture>(image.texture);
-  if (Status memory = check_memory(layers.depths.size(), limits); !memory.ok())
+  if (Status memory = check_surfel_memory(layers.depths.size(), limits); !memory.ok())
     return memory.error();
-  return pieces_of(image, LayerSamples(image, layers), layers.dmax(), threads, limits);
+  return pieces_of(grid_of(image, layers.dmax()), LayerSamples(image, layers), threads, limits);
 }
 
 Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Limits& limits,
@@ -293,7 +194,7 @@ Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Lim
   const auto coloured = colour_octree(model, levels, threads, limits, diagnostics);
   if (!coloured.ok()) return coloured.error();
   const ColouredVoxels& voxels = coloured.value();
-  if (Status memory = check_memory(voxels.codes.size(), limits); !memory.ok())
+  if (Status memory = check_surfel_memory(voxels.codes.size(), limits); !memory.ok())
     return memory.error();
   const VoxelBlocks blocks(voxels.codes);
   const std::vector<glm::vec3> normals = surface_normals(voxels.codes, levels, blocks, threads);
@@ -319,7 +220,8 @@ Result<Surfels> surfels_of(std::span<const DibrModel> models, unsigned threads,
     const auto parts = parts_of(model, threads, limits, diagnostics);
     if (!parts.ok()) return parts.error();
     for (const Surfels& part : parts.value()) {
-      if (Status memory = check_memory(uint64_t{all.size()} + part.size(), limits); !memory.ok())
+      if (Status memory = check_surfel_memory(uint64_t{all.size()} + part.size(), limits);
+          !memory.ok())
         return memory.error();
       append(part, model.to_world, all);
     }

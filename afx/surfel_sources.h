@@ -16,12 +16,6 @@
 
 namespace afx {
 
-/// How far the distances of two neighbouring pixels of one surface may differ, in pixel sides: the
-/// surface is then seen at 14 degrees, where its own pixels no longer show it well. Beyond it is
-/// another surface. One step of the depth is allowed on top: rounding alone can part neighbours by
-/// that much.
-inline constexpr double kSurfaceStep = 4;
-
 /// Half the side of a voxel's piece, in voxel sides. Neighbours in a surface across an edge are
 /// sqrt(2) apart, so less than 0.71 would part them.
 inline constexpr double kVoxelHalfSide = 0.72;
@@ -31,12 +25,17 @@ inline constexpr double kVoxelHalfSide = 0.72;
 void push_square(Surfels& surfels, const glm::dvec3& centre, const glm::vec3& normal, float half,
                  Rgba8 colour);
 
+/// Adds pieces moved by an affine transform. Where it mirrors, u and v are exchanged, so that u x v
+/// still points outwards.
+void append(const Surfels& from, const glm::dmat4& transform, Surfels& to);
+
 /// Every pixel of the model becomes the piece of surface that its cell covers, in the coordinates
 /// of the node, from the lower left, rows upward. It is tilted as the distances of the neighbours
-/// on the same surface say (kSurfaceStep; both sides or the one there is, else frontal). In its own
-/// camera it covers its pixel and reaches no neighbour's centre; u points right, v up, u x v to the
-/// viewer. Samples of a PointTexture do the same with the nearest sample of each neighbouring
-/// pixel. The last of 2 or 4 components becomes opacity; pixels whose opacity is 0 are left out.
+/// on the same surface say (kSurfaceStep in pixel_pieces.h; both sides or the one there is, else
+/// frontal). In its own camera it covers its pixel and reaches no neighbour's centre; u points
+/// right, v up, u x v to the viewer. Samples of a PointTexture do the same with the nearest sample
+/// of each neighbouring pixel. The last of 2 or 4 components becomes opacity; pixels whose opacity
+/// is 0 are left out.
 ///
 /// threads   0 = all cores; the result is the same for any number
 /// Errors    those of check_depth_image; limit_exceeded: more than limits.memory / kSurfelBytes
@@ -51,8 +50,7 @@ Result<Surfels> surfels_of(const DepthImage& image, unsigned threads, const Limi
 Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Limits& limits,
                            Diagnostics& diagnostics);
 
-/// All objects of a scene together, in the world's coordinates. Where a transform mirrors, u and v
-/// are exchanged, so that u x v still points outwards.
+/// All objects of a scene together, in the world's coordinates.
 /// Errors, warnings   as above; bad_argument: a transform that is not finite
 Result<Surfels> surfels_of(std::span<const DibrModel> models, unsigned threads,
                            const Limits& limits, Diagnostics& diagnostics);
