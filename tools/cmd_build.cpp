@@ -54,9 +54,9 @@ nodes::Scene compose(const BuiltOctree& built, const std::vector<std::string>& p
 }
 
 /// Where a picture goes: beside the scene, with its name in front.
-std::string picture_name(const BuildCommand& command, size_t image) {
+std::string picture_name(const BuildCommand& command, const std::string& name) {
   const std::string stem = std::filesystem::path(command.output).stem().string();
-  return stem + "_" + kReferenceNames[image] + (command.image_format == "jpeg" ? ".jpg" : ".png");
+  return stem + "_" + name + (command.image_format == "jpeg" ? ".jpg" : ".png");
 }
 
 Result<BuiltOctree> build_from_file(const BuildCommand& command, const Session& session,
@@ -129,7 +129,7 @@ int write(const BuildCommand& command, const std::string& format, const BuiltOct
   std::vector<std::string> names;
   uint64_t image_bytes = 0;
   for (size_t i = 0; i < built.model.images.size(); ++i) {
-    names.push_back(picture_name(command, i));
+    names.push_back(picture_name(command, built.names[i]));
     const auto bytes = encode_picture(built.model.images[i].picture, command.image_format,
                                       {.jpeg_quality = command.jpeg_quality});
     if (!bytes.ok()) return session.fail(bytes.error(), names.back());
@@ -152,8 +152,9 @@ int write(const BuildCommand& command, const std::string& format, const BuiltOct
 /// Asks before the long work whether the outputs may be written.
 Status check_outputs(const BuildCommand& command, const OutputFiles& outputs) {
   const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
-  for (size_t i = 0; i < std::size(kReferenceNames); ++i) {
-    if (Status free = outputs.check((folder / picture_name(command, i)).string()); !free.ok())
+  for (unsigned i = 0; i < kSideViews; ++i) {
+    if (Status free = outputs.check((folder / picture_name(command, reference_name(i))).string());
+        !free.ok())
       return free;
   }
   return outputs.check(command.output);

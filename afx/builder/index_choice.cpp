@@ -3,56 +3,82 @@
 #include "afx/builder/index_choice.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace afx {
 namespace {
 
-// A node: the sum of what lies below for each image, and the least that its subtree can cost.
-struct Node {
-  uint64_t code = 0;
-  ChoiceCosts costs;
-  double least = 0;
-};
+using Costs = std::vector<double>;
 
-unsigned best_of(const ChoiceCosts& costs, unsigned images) {
-  return static_cast<unsigned>(std::min_element(costs.of, costs.of + images) - costs.of);
+size_t best_of(const Costs& costs) {
+  return static_cast<size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
 }
 
-// Gathers nodes into their parents.
-class ParentBuilder {
+// The nodes that hold the voxel at hand, one at each level: what has been gathered of each.
+class Gatherer {
  public:
-  explicit ParentBuilder(unsigned images) : images_(images) {}
+  Gatherer(unsigned levels, unsigned images, double price)
+      : open_(levels, Node{Costs(images), 0}), decisions_(levels), price_(price) {}
 
-  void add(const Node& child) {
-    if (parents_.empty() || parents_.back().code != child.code >> 3) {
-      close();
-      parents_.push_back({child.code >> 3, {}, 0});
-    }
-    Node& parent = parents_.back();
-    for (unsigned k = 0; k < images_; ++k) parent.costs.of[k] += child.costs.of[k];
-    parent.least += child.least;
+  // A voxel; from level `first` on its nodes are others than those of the voxel before.
+  void add(const Costs& costs, size_t first) {
+    close_below(first);
+    if (open_.empty()) return;
+    add_to(open_.back(), costs, costs[best_of(costs)] + price_);
   }
 
-  // The parents, and for each the image that it is given to as a whole, or 0.
-  std::pair<std::vector<Node>, std::vector<uint8_t>> finish() {
-    close();
-    return {std::move(parents_), std::move(decisions_)};
+  // For each level from the root down, the image that each of its nodes is given to as a whole, or
+  // 0.
+  std::vector<std::vector<uint8_t>> finish() {
+    close_below(0);
+    return std::move(decisions_);
   }
 
  private:
-  void close() {
-    if (parents_.empty()) return;
-    Node& parent = parents_.back();
-    const unsigned best = best_of(parent.costs, images_);
-    const bool whole = parent.costs.of[best] <= parent.least;
-    decisions_.push_back(whole ? static_cast<uint8_t>(best + 1) : uint8_t{0});
-    parent.least = (whole ? parent.costs.of[best] : parent.least) + kSymbolPrice;
+  struct Node {
+    Costs costs;       // the sum of what lies below for each image
+    double least = 0;  // that its subtree can cost
+  };
+
+  static void add_to(Node& parent, const Costs& costs, double least) {
+    for (size_t k = 0; k < costs.size(); ++k) parent.costs[k] += costs[k];
+    parent.least += least;
   }
 
-  unsigned images_;
-  std::vector<Node> parents_;
-  std::vector<uint8_t> decisions_;
+  // Ends the nodes of level `level` and deeper.
+  void close_below(size_t level) {
+    if (!any_) {
+      any_ = true;
+      return;
+    }
+    for (size_t n = open_.size(); n-- > level;) {
+      Node& node = open_[n];
+      const size_t best = best_of(node.costs);
+      const bool whole = node.costs[best] <= node.least;
+      decisions_[n].push_back(whole ? static_cast<uint8_t>(best + 1) : uint8_t{0});
+      const double least = (whole ? node.costs[best] : node.least) + price_;
+      if (n > 0) add_to(open_[n - 1], node.costs, least);
+      std::fill(node.costs.begin(), node.costs.end(), 0.0);
+      node.least = 0;
+    }
+  }
+
+  std::vector<Node> open_;  // [n] at level n
+  std::vector<std::vector<uint8_t>> decisions_;
+  double price_;
+  bool any_ = false;  // voxel before
 };
+
+// The first level at which two voxels lie in different nodes.
+size_t first_difference(uint64_t a, uint64_t b, unsigned levels) {
+  size_t level = levels;
+  while (level > 0 && a != b) {
+    a >>= 3;
+    b >>= 3;
+    --level;
+  }
+  return level + 1;
+}
 
 // What the nodes of a level inherit from the level above: the number of children is not stored, so
 // the parents' codes are walked along.
@@ -72,36 +98,28 @@ std::vector<uint8_t> inherit(std::span<const uint64_t> codes, unsigned shift,
 }  // namespace
 
 std::vector<uint8_t> choose_index(std::span<const uint64_t> codes, unsigned levels, unsigned images,
-                                  const std::function<ChoiceCosts(size_t)>& cost) {
+                                  const ChoiceCosts& cost, double price) {
   if (codes.empty()) return {};
-  const auto leaf = [&](size_t i) {
-    Node node{codes[i], cost(i), 0};
-    node.least = node.costs.of[best_of(node.costs, images)] + kSymbolPrice;
-    return node;
-  };
-  // decisions[n]: of the nodes at level levels - 1 - n.
-  std::vector<std::vector<uint8_t>> decisions;
-  std::vector<Node> nodes;
-  for (unsigned level = 0; level < levels; ++level) {
-    ParentBuilder parents(images);
-    if (level == 0)
-      for (size_t i = 0; i < codes.size(); ++i) parents.add(leaf(i));
-    for (const Node& node : nodes) parents.add(node);
-    auto [built, decided] = parents.finish();
-    nodes = std::move(built);
-    decisions.push_back(std::move(decided));
+  Costs costs(images);
+  Gatherer gatherer(levels, images, price);
+  for (size_t i = 0; i < codes.size(); ++i) {
+    cost(i, costs);
+    gatherer.add(costs, i == 0 ? 0 : first_difference(codes[i - 1], codes[i], levels));
   }
-  std::vector<uint8_t> given{
-      0};  // by level, from the root: the image of each node, 0 = left to its children
+  std::vector<std::vector<uint8_t>> decisions = gatherer.finish();
+  std::vector<uint8_t> given{0};  // by level, from the root: each node's image, 0 = to its children
   for (unsigned level = 0; level < levels; ++level) {
-    std::vector<uint8_t>& own = decisions[levels - 1 - level];
+    std::vector<uint8_t>& own = decisions[level];
     for (size_t i = 0; i < own.size(); ++i)
       if (given[i] != 0) own[i] = given[i];
     given = inherit(codes, 3 * (levels - 1 - level), own);
     own = {};
   }
-  for (size_t i = 0; i < given.size(); ++i)
-    if (given[i] == 0) given[i] = static_cast<uint8_t>(best_of(cost(i), images) + 1);
+  for (size_t i = 0; i < given.size(); ++i) {
+    if (given[i] != 0) continue;
+    cost(i, costs);
+    given[i] = static_cast<uint8_t>(best_of(costs) + 1);
+  }
   return given;
 }
 

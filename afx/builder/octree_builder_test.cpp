@@ -5,11 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
+#include <random>
 #include <string>
+#include <utility>
 
 #include "afx/builder/test_meshes.h"
 #include "afx/octree_colours.h"
+#include "afx/reference_projection.h"
 #include "codec/octree_voxels.h"
 
 namespace afx {
@@ -51,8 +56,8 @@ TEST(BuildOctree, ShowsEachSideInItsImage) {
   const std::vector<uint8_t> expected[6] = {{0, 255, 0},   {255, 0, 0},   {255, 0, 255},
                                             {0, 255, 255}, {255, 255, 0}, {0, 0, 255}};
   for (size_t k = 0; k < 6; ++k) {
-    EXPECT_EQ(middle_of(built.model.images[k].picture), expected[k]) << kReferenceNames[k];
-    EXPECT_EQ(built.model.images[k].picture.width, 32U);
+    EXPECT_EQ(middle_of(built.model.images[k].picture), expected[k]) << built.names[k];
+    EXPECT_EQ(built.names[k], reference_name(static_cast<unsigned>(k)));
   }
 }
 
@@ -87,6 +92,7 @@ TEST(BuildOctree, OneColourNeedsOneSymbol) {
   const BuiltOctree built = build(sphere_mesh(3), {.resolution = 64});
   EXPECT_EQ(built.model.fields.voxel_image_index.size(), 1U);
   EXPECT_EQ(built.statistics.index_symbols, 1U);
+  EXPECT_EQ(built.model.images.size(), 1U);  // the others, which no voxel takes, are left out
 }
 
 // Pairs of red and green in the image from the front.
@@ -147,11 +153,79 @@ TEST(BuildOctree, PaintsNoLightOverTexturesAndColoursOfVerticesUnlessTold) {
   EXPECT_FALSE(points.value().statistics.shaded);
 }
 
+// A floor and a roof with a column between: no side shows what of them faces the other. Each of the
+// three has a colour of its own on each side.
+Mesh pavilion() {
+  Mesh mesh;
+  for (const auto& [low, high] :
+       {std::pair(glm::vec3(-1, -0.4F, -1), glm::vec3(1, -0.3F, 1)),
+        std::pair(glm::vec3(-1, 0.3F, -1), glm::vec3(1, 0.4F, 1)),
+        std::pair(glm::vec3(-0.1F, -0.3F, -0.1F), glm::vec3(0.1F, 0.3F, 0.1F))}) {
+    const Mesh box = box_mesh(low, high);
+    const auto first = static_cast<uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), box.positions.begin(), box.positions.end());
+    for (uint32_t i = 0; i < 12; ++i) {
+      const auto part = static_cast<float>(mesh.materials.size());
+      if (i % 2 == 0)
+        mesh.materials.push_back({.colour = {part / 18, std::fmod(part, 5.0F) / 4, 0.5F}});
+      mesh.triangles.push_back(box.triangles[i] + first);
+      mesh.material_of.push_back(static_cast<uint32_t>(mesh.materials.size() - 1));
+    }
+  }
+  mesh.has_colours = true;
+  return mesh;
+}
+
+TEST(BuildOctree, AddsImagesUntilTheOutsideIsSeen) {
+  const BuiltOctree six = build(pavilion(), {.resolution = 64, .images = 6});
+  const BuiltOctree more = build(pavilion(), {.resolution = 64});
+  EXPECT_LE(six.model.images.size(), 6U);
+  EXPECT_GT(more.model.images.size(), 6U);
+  const auto unseen = [](const BuiltOctree& built) {
+    return built.statistics.exposed - built.statistics.seen;
+  };
+  EXPECT_GT(unseen(six), six.statistics.exposed / 10);
+  EXPECT_LT(unseen(more), unseen(six));
+  EXPECT_GT(more.statistics.psnr, six.statistics.psnr + 10);
+  const BuiltOctree all = build(pavilion(), {.resolution = 64, .images = 40});
+  EXPECT_LT(unseen(all), unseen(six) / 8);
+  EXPECT_LE(all.model.images.size(), 40U);
+  EXPECT_EQ(all.names.size(), all.model.images.size());
+}
+
+TEST(BuildOctree, SaysWhatADecoderMakesOfItsColours) {
+  const BuiltOctree built = build(pavilion(), {.resolution = 64});
+  Diagnostics diagnostics;
+  const auto coloured = colour_octree(built.model, 6, 1, Limits(), diagnostics);
+  ASSERT_TRUE(coloured.ok()) << coloured.error().text;
+  EXPECT_EQ(diagnostics.count(), 0U);  // none falls outside of its cropped image
+  EXPECT_EQ(coloured.value().codes.size(), built.statistics.voxels);
+  EXPECT_GE(built.statistics.psnr, built.statistics.best_psnr - 0.2);
+}
+
+TEST(BuildOctree, CropsImagesToWhatVoxelsTake) {
+  const BuiltOctree built = build(pavilion(), {.resolution = 64});
+  uint64_t used = 0, all = 0;
+  for (size_t k = 0; k < built.model.images.size(); ++k) {
+    const Picture& picture = built.model.images[k].picture;
+    ASSERT_EQ(built.used[k].size(), size_t{picture.width} * picture.height);
+    used += static_cast<uint64_t>(std::count(built.used[k].begin(), built.used[k].end(), true));
+    all += built.used[k].size();
+  }
+  EXPECT_EQ(built.statistics.used_pixels, used);
+  EXPECT_EQ(built.statistics.pixels, all);
+  // From the front: 64 wide, and 0.8 of 2 high (26 voxels, or one more with both ends).
+  EXPECT_EQ(built.names[0], "front");
+  EXPECT_EQ(built.model.images[0].picture.width, 64U);
+  EXPECT_LE(built.model.images[0].picture.height, 27U);
+}
+
 TEST(BuildOctree, GivesTheSameForAnyNumberOfThreads) {
-  const BuiltOctree one = build(dice(), {.resolution = 50, .threads = 1});
-  const BuiltOctree four = build(dice(), {.resolution = 50, .threads = 4});
+  const BuiltOctree one = build(pavilion(), {.resolution = 50, .threads = 1});
+  const BuiltOctree four = build(pavilion(), {.resolution = 50, .threads = 4});
   EXPECT_EQ(one.model.fields, four.model.fields);
-  for (size_t k = 0; k < 6; ++k)
+  EXPECT_EQ(one.names, four.names);
+  for (size_t k = 0; k < one.names.size(); ++k)
     EXPECT_EQ(one.model.images[k].picture.samples, four.model.images[k].picture.samples);
 }
 
@@ -176,7 +250,10 @@ TEST(BuildOctree, SaysWhereTheModelLay) {
 TEST(BuildOctree, DrawsImagesOfOtherSizes) {
   for (const uint32_t size : {1U, 7U, 16U, 100U}) {
     const BuiltOctree built = build(dice(), {.resolution = 32, .image_size = size});
-    EXPECT_EQ(built.model.images[3].picture.width, size);
+    for (const ReferenceImage& image : built.model.images) {
+      EXPECT_LE(image.picture.width, size);
+      EXPECT_NEAR(image.picture.width / double{image.field_of_view.x}, size, 1e-3);
+    }
     Diagnostics diagnostics;
     EXPECT_TRUE(colour_octree(built.model, 5, 1, Limits(), diagnostics).ok());
     if (size == 100) {
@@ -215,6 +292,66 @@ TEST(BuildOctree, BuildsPointClouds) {
   EXPECT_EQ(front.pixel(5, 31 - 9)[1], 72);
 }
 
+// The centres of voxels as points, in a cube that is elsewhere, turned and far away.
+PointCloud centres_of(const std::vector<uint64_t>& codes, unsigned levels, const Cube& cube,
+                      bool z_up) {
+  PointCloud cloud;
+  cloud.origin = {1e6, -2e6, 3e6};
+  for (const uint64_t code : codes) {
+    const glm::dvec3 p = voxel_centre(code, levels) * cube.side;
+    const glm::dvec3 turned = z_up ? glm::dvec3(p.x, -p.z, p.y) : p;
+    cloud.positions.emplace_back(cube.centre + turned - cloud.origin);
+    cloud.colours.push_back({static_cast<uint8_t>(code), 9, 9, 255});
+  }
+  return cloud;
+}
+
+TEST(BuildOctree, FindsTheVoxelsAgainWhoseCentresItIsGiven) {
+  std::mt19937 random(7);
+  for (const uint32_t resolution : {1U, 3U, 100U, 256U}) {
+    for (const bool z_up : {false, true}) {
+      const unsigned levels = octree_levels(resolution);
+      std::vector<uint64_t> codes;
+      for (int n = 0; n < 500; ++n) codes.push_back(random() % (uint64_t{1} << (3 * levels)));
+      std::sort(codes.begin(), codes.end());
+      codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+      BuildOptions options{.resolution = resolution};
+      options.cube = Cube{{1e6 + 3, -2e6 - 0.7, 3e6}, 5.3};
+      options.up = z_up ? UpAxis::z : UpAxis::y;
+      Diagnostics diagnostics;
+      const auto built =
+          build_octree(centres_of(codes, levels, *options.cube, z_up), options, diagnostics);
+      ASSERT_TRUE(built.ok()) << built.error().text;
+      EXPECT_EQ(diagnostics.count(), 0U);
+      EXPECT_EQ(built.value().model.resolution, resolution);
+      EXPECT_EQ(built.value().model.fields.octree, codec::octree_from_morton(codes, levels));
+      EXPECT_NEAR(built.value().statistics.side, 5.3, 1e-12);
+      EXPECT_NEAR(glm::length(built.value().statistics.centre - options.cube->centre), 0, 1e-9);
+    }
+  }
+}
+
+TEST(BuildOctree, LeavesOutWhatLiesOutsideOfTheCube) {
+  BuildOptions options{.resolution = 16};
+  options.cube = Cube{{1, 1, 1}, 2};  // one corner of the dice
+  Diagnostics diagnostics;
+  const auto built = build_octree(dice(), options, diagnostics);
+  ASSERT_TRUE(built.ok()) << built.error().text;
+  ASSERT_EQ(diagnostics.warnings().size(), 1U);
+  EXPECT_EQ(diagnostics.warnings()[0].code, "outside_cube");
+  EXPECT_EQ(diagnostics.warnings()[0].text,
+            "12 triangles reach out of the cube; what lies outside is left out");
+  // Three squares of 8 voxels a side at 8 voxels from the corner of the cube, and their edges.
+  EXPECT_EQ(built.value().statistics.voxels, 9U * 9 * 9 - 8U * 8 * 8);
+  PointCloud cloud;
+  cloud.positions = {{1, 1, 1}, {9, 9, 9}};
+  Diagnostics of_points;
+  ASSERT_TRUE(build_octree(cloud, options, of_points).ok());
+  ASSERT_EQ(of_points.warnings().size(), 1U);
+  EXPECT_EQ(of_points.warnings()[0].text,
+            "1 points lie outside of the cube; what lies outside is left out");
+}
+
 TEST(BuildOctree, RefusesWhatItCannotBuild) {
   Diagnostics diagnostics;
   const auto code = [&](const auto& input, const BuildOptions& options) {
@@ -226,6 +363,19 @@ TEST(BuildOctree, RefusesWhatItCannotBuild) {
   EXPECT_EQ(code(dice(), {.resolution = 8, .image_size = 5000}), Errc::bad_argument);
   EXPECT_EQ(code(Mesh(), {.resolution = 8}), Errc::bad_argument);
   EXPECT_EQ(code(PointCloud(), {.resolution = 8}), Errc::bad_argument);
+  const auto text = [&](const BuildOptions& options) {
+    const auto built = build_octree(dice(), options, diagnostics);
+    return built.ok() ? std::string() : built.error().text;
+  };
+  EXPECT_EQ(text({.resolution = 8, .images = 5}),
+            "5 images (expected 6 to 127, or 0 for as many as are worth their bytes)");
+  EXPECT_EQ(code(dice(), {.resolution = 8, .images = 128}), Errc::bad_argument);
+  EXPECT_EQ(text({.resolution = 8, .cube = Cube{{0, 0, 0}, 0}}),
+            "the cube's side is 0.000000 (expected a length > 0)");
+  EXPECT_EQ(text({.resolution = 8, .cube = Cube{{NAN, 0, 0}, 1}}),
+            "the cube's centre is not finite");
+  EXPECT_EQ(text({.resolution = 8, .cube = Cube{{9, 9, 9}, 1}}),
+            "nothing of the model lies in the cube");
   BuildOptions small{.resolution = 64};
   small.limits.octree_nodes = 100;
   EXPECT_EQ(code(dice(), small), Errc::limit_exceeded);

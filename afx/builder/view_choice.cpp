@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "afx/builder/view_choice.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "afx/builder/exposure.h"
+#include "afx/builder/reference_views.h"
+#include "codec/octree_voxels.h"
+#include "codec/parallel.h"
+
+namespace afx {
+namespace {
+
+constexpr unsigned kLevels = 8;
+constexpr unsigned kMostThreads = 4;  // each has pictures of its own
+
+// All directions (x, y, z) of coordinates -2..2 without those that are twice another, and without
+// the axes.
+std::vector<glm::dvec3> candidates() {
+  std::vector<glm::dvec3> directions;
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      for (int z = -2; z <= 2; ++z) {
+        if (std::gcd(std::gcd(x, y), z) != 1) continue;
+        if ((x != 0) + (y != 0) + (z != 0) < 2) continue;
+        directions.push_back(glm::normalize(glm::dvec3(x, y, z)));
+      }
+  return directions;
+}
+
+std::vector<Voxel> coarse_voxels(std::span<const uint64_t> codes, unsigned shift) {
+  std::vector<Voxel> voxels;
+  for (size_t i = 0; i < codes.size(); ++i)
+    if (i == 0 || codes[i] >> shift != codes[i - 1] >> shift)
+      voxels.push_back(codec::morton_decode(codes[i] >> shift));
+  return voxels;
+}
+
+// Which of some voxels a camera sees.
+std::vector<bool> seen_by(const ReferenceView& view, std::span<const Voxel> all,
+                          std::span<const uint32_t> which) {
+  const FirstSeen first = first_seen(view, all);
+  std::vector<bool> seen(which.size());
+  for (size_t i = 0; i < which.size(); ++i)
+    seen[i] = is_seen(view, view.sight(all[which[i]]), first);
+  return seen;
+}
+
+using SeenByView = std::vector<std::vector<bool>>;
+
+SeenByView seen_by_all(std::span<const ReferenceCamera> cameras, unsigned levels,
+                       std::span<const Voxel> all, std::span<const uint32_t> which,
+                       unsigned threads) {
+  SeenByView seen(cameras.size());
+  parallel_for(cameras.size(), std::min(thread_count(threads), kMostThreads),
+               [&](size_t k) { seen[k] = seen_by(ReferenceView(cameras[k], levels), all, which); });
+  return seen;
+}
+
+// The voxels that none of the views shows.
+std::vector<uint32_t> unseen_of(std::span<const uint32_t> which, const SeenByView& seen) {
+  std::vector<uint32_t> rest;
+  for (size_t i = 0; i < which.size(); ++i)
+    if (std::none_of(seen.begin(), seen.end(), [&](const auto& by) { return by[i]; }))
+      rest.push_back(which[i]);
+  return rest;
+}
+
+size_t gain_of(const std::vector<bool>& seen, const std::vector<bool>& open) {
+  size_t gain = 0;
+  for (size_t i = 0; i < open.size(); ++i) gain += open[i] && seen[i] ? 1 : 0;
+  return gain;
+}
+
+// Numbers of views, greedily; ties go to the lower.
+std::vector<size_t> choose(const SeenByView& seen, size_t voxels, unsigned most, size_t least) {
+  std::vector<size_t> chosen;
+  std::vector<bool> open(voxels, true);
+  while (chosen.size() < most) {
+    size_t best = 0, best_gain = 0;
+    for (size_t k = 0; k < seen.size(); ++k) {
+      const size_t gain = gain_of(seen[k], open);
+      if (gain > best_gain) best = k, best_gain = gain;
+    }
+    if (best_gain == 0 || best_gain < least) break;
+    chosen.push_back(best);
+    for (size_t i = 0; i < voxels; ++i) open[i] = open[i] && !seen[best][i];
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> choose_directions(std::span<const uint64_t> codes, unsigned levels,
+                                          const ViewChoice& choice) {
+  const unsigned coarse = std::min(levels, kLevels);
+  const std::vector<Voxel> voxels = coarse_voxels(codes, 3 * (levels - coarse));
+  const std::vector<uint8_t> is_exposed = exposed_voxels(voxels, coarse, choice.threads);
+  std::vector<uint32_t> exposed;
+  for (size_t i = 0; i < voxels.size(); ++i)
+    if (is_exposed[i] != 0) exposed.push_back(static_cast<uint32_t>(i));
+  std::vector<ReferenceCamera> cameras;
+  for (unsigned view = 0; view < kSideViews; ++view)
+    cameras.push_back(side_camera(view, 1U << coarse));
+  const std::vector<uint32_t> rest =
+      unseen_of(exposed, seen_by_all(cameras, coarse, voxels, exposed, choice.threads));
+  const auto least = static_cast<size_t>(choice.least_gain * static_cast<double>(exposed.size()));
+  if (rest.empty() || rest.size() < least || choice.most == 0) return {};
+  const std::vector<glm::dvec3> directions = candidates();
+  cameras.clear();
+  for (const glm::dvec3& direction : directions)
+    cameras.push_back(slanting_camera(direction, 1U << coarse));
+  std::vector<glm::dvec3> result;
+  for (const size_t k : choose(seen_by_all(cameras, coarse, voxels, rest, choice.threads),
+                               rest.size(), choice.most, least))
+    result.push_back(directions[k]);
+  return result;
+}
+
+}  // namespace afx
