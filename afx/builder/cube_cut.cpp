@@ -124,4 +124,13 @@ PointCloud inside_of_cube(const PointCloud& cloud, const Grid& grid, uint64_t& o
   return result;
 }
 
+Surfels inside_of_cube(const Surfels& surfels, const Grid& grid, uint64_t& outside) {
+  Surfels result;
+  for (size_t i = 0; i < surfels.size(); ++i)
+    if (grid.holds(glm::vec3(surfels.centres[i])))
+      result.push_back(surfels.centres[i], surfels.u[i], surfels.v[i], surfels.colours[i]);
+  outside = surfels.size() - result.size();
+  return result;
+}
+
 }  // namespace afx

@@ -13,6 +13,8 @@
 #include "afx/builder/cube_cut.h"
 #include "afx/builder/grid.h"
 #include "afx/builder/model_builder.h"
+#include "afx/builder/placement.h"
+#include "afx/builder/surfel_voxels.h"
 #include "afx/builder/voxelize.h"
 #include "afx/octree_stream.h"
 #include "afx/voxel_blocks.h"
@@ -51,33 +53,6 @@ void report(const BuildOptions& options, const char* stage, double done) {
   if (options.progress) options.progress(stage, done);
 }
 
-// z up becomes y up: a quarter turn about x.
-template <class Vector>
-Vector turned(const Vector& v) {
-  return {v.x, v.z, -v.y};
-}
-
-void turn_up(Mesh& mesh) {
-  for (glm::vec3& p : mesh.positions) p = turned(p);
-}
-
-void turn_up(PointCloud& cloud) {
-  for (glm::vec3& p : cloud.positions) p = turned(p);
-  for (glm::vec3& n : cloud.normals) n = turned(n);
-}
-
-// Of the vertices that triangles use.
-Bounds bounds_of_surface(const Mesh& mesh) {
-  const glm::vec3 first = mesh.positions[mesh.triangles[0].x];
-  Bounds bounds{first, first};
-  for (const glm::uvec3& triangle : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      bounds.low = glm::min(bounds.low, glm::dvec3(mesh.positions[triangle[k]]));
-      bounds.high = glm::max(bounds.high, glm::dvec3(mesh.positions[triangle[k]]));
-    }
-  return bounds;
-}
-
 void shade(SurfaceVoxels& voxels, bool coloured, unsigned levels, unsigned threads) {
   const bool known = std::any_of(voxels.normals.begin(), voxels.normals.end(),
                                  [](const glm::vec3& n) { return n != glm::vec3(0); });
@@ -101,17 +76,7 @@ BuiltOctree finish(SurfaceVoxels voxels, const Grid& grid, const BuildOptions& o
   statistics.side = cube / grid.scale;
   statistics.centre =
       origin + grid.object_centre + glm::dvec3((cube / 2 - grid.middle) / grid.scale);
-  if (options.up == UpAxis::z)
-    statistics.centre = {statistics.centre.x, -statistics.centre.z, statistics.centre.y};
   return built;
-}
-
-// The cube that the options ask for, as the turned model has it, whose origin is elsewhere.
-Cube turned_cube(const BuildOptions& options, const glm::dvec3& origin) {
-  Cube cube = *options.cube;
-  cube.centre -= origin;
-  if (options.up == UpAxis::z) cube.centre = turned(cube.centre);
-  return cube;
 }
 
 Error nothing_inside() { return refused("nothing of the model lies in the cube"); }
@@ -134,44 +99,58 @@ Result<BuiltOctree> build_from(const PointCloud& cloud, const Grid& grid,
                                const BuildOptions& options) {
   Result<SurfaceVoxels> voxels = voxelize(cloud, grid, options.limits);
   if (!voxels.ok()) return voxels.error();
-  const glm::dvec3 origin = options.up == UpAxis::z ? turned(cloud.origin) : cloud.origin;
   return finish(std::move(voxels).value(), grid, options, colouring_of(cloud),
-                cloud.positions.size(), origin);
+                cloud.positions.size(), cloud.origin);
+}
+
+Result<BuiltOctree> build_from(const Surfels& surfels, const Grid& grid,
+                               const BuildOptions& options) {
+  Result<SurfaceVoxels> voxels = voxelize(surfels, grid, options.threads, options.limits);
+  if (!voxels.ok()) return voxels.error();
+  return finish(std::move(voxels).value(), grid, options, Colouring::painted, surfels.size(), {});
 }
 
 }  // namespace
 
-Result<BuiltOctree> build_octree(const Mesh& given, const BuildOptions& options,
+Result<BuiltOctree> build_octree(const Mesh& mesh, const BuildOptions& options,
                                  Diagnostics& diagnostics) {
   if (Status status = check_options(options); !status.ok()) return status.error();
-  if (given.triangles.empty()) return refused("the mesh has no triangles");
-  Mesh copy;  // only where it must be turned
-  if (options.up == UpAxis::z) turn_up(copy = given);
-  const Mesh& mesh = options.up == UpAxis::z ? copy : given;
-  if (!options.cube)
-    return build_from(mesh, Grid(bounds_of_surface(mesh), options.resolution), options);
-  const Cube cube = turned_cube(options, {});
+  if (mesh.triangles.empty()) return refused("the mesh has no triangles");
+  if (!options.cube) return build_from(mesh, Grid(bounds_of(mesh), options.resolution), options);
   uint64_t outside = 0;
-  const Mesh inside = inside_of_cube(mesh, cube, outside);
+  const Mesh inside = inside_of_cube(mesh, *options.cube, outside);
   if (inside.triangles.empty()) return nothing_inside();
   warn_outside(outside, "triangles reach out of the cube", diagnostics);
-  return build_from(inside, Grid(cube, options.resolution), options);
+  return build_from(inside, Grid(*options.cube, options.resolution), options);
 }
 
-Result<BuiltOctree> build_octree(const PointCloud& given, const BuildOptions& options,
+Result<BuiltOctree> build_octree(const PointCloud& cloud, const BuildOptions& options,
                                  Diagnostics& diagnostics) {
   if (Status status = check_options(options); !status.ok()) return status.error();
-  if (given.positions.empty()) return refused("the point cloud has no points");
-  PointCloud copy;
-  if (options.up == UpAxis::z) turn_up(copy = given);
-  const PointCloud& cloud = options.up == UpAxis::z ? copy : given;
+  if (cloud.positions.empty()) return refused("the point cloud has no points");
   if (!options.cube)
     return build_from(cloud, Grid(bounds_of(cloud.positions), options.resolution), options);
-  const Grid grid(turned_cube(options, given.origin), options.resolution);
+  Cube cube = *options.cube;
+  cube.centre -= cloud.origin;
+  const Grid grid(cube, options.resolution);
   uint64_t outside = 0;
   const PointCloud inside = inside_of_cube(cloud, grid, outside);
   if (inside.positions.empty()) return nothing_inside();
   warn_outside(outside, "points lie outside of the cube", diagnostics);
+  return build_from(inside, grid, options);
+}
+
+Result<BuiltOctree> build_octree(const Surfels& surfels, const BuildOptions& options,
+                                 Diagnostics& diagnostics) {
+  if (Status status = check_options(options); !status.ok()) return status.error();
+  if (surfels.size() == 0) return refused("the model has no samples");
+  if (!options.cube)
+    return build_from(surfels, Grid(bounds_of(surfels), options.resolution), options);
+  const Grid grid(*options.cube, options.resolution);
+  uint64_t outside = 0;
+  const Surfels inside = inside_of_cube(surfels, grid, outside);
+  if (inside.size() == 0) return nothing_inside();
+  warn_outside(outside, "samples lie outside of the cube", diagnostics);
   return build_from(inside, grid, options);
 }
 

@@ -15,10 +15,10 @@
 #include "afx/builder/grid.h"
 #include "afx/builder/index_choice.h"
 #include "afx/builder/mesh.h"
-#include "afx/builder/placement.h"
 #include "afx/builder/reference_cameras.h"
 #include "afx/builder/shading.h"
 #include "afx/octree_model.h"
+#include "afx/surfels.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
 #include "codec/limits.h"
@@ -40,11 +40,10 @@ struct BuildOptions {
   /// kSymbolPrice suits images that are then coded as JPEG of quality 90.
   std::optional<double> symbol_price = {};
   unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
-  /// The cube to build in, in the coordinates of the input (before `up` turns it): 2^levels voxels
+  /// The cube to build in, in the coordinates of the input: 2^levels voxels
   /// a side, levels those of the resolution; what lies outside is left out and counted in a warning
   /// ("outside_cube"). Without it the object is fitted in.
   std::optional<Cube> cube = {};
-  UpAxis up = UpAxis::y;
   Shade shade = Shade::automatic;
   /// Called as the work goes on with a stage's name and 0..1 of the whole, from any thread but from
   /// one at a time.
@@ -89,6 +88,8 @@ struct BuiltOctree {
 Result<BuiltOctree> build_octree(const Mesh& mesh, const BuildOptions& options,
                                  Diagnostics& diagnostics);
 Result<BuiltOctree> build_octree(const PointCloud& cloud, const BuildOptions& options,
+                                 Diagnostics& diagnostics);
+Result<BuiltOctree> build_octree(const Surfels& surfels, const BuildOptions& options,
                                  Diagnostics& diagnostics);
 
 }  // namespace afx

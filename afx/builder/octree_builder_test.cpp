@@ -15,6 +15,7 @@
 #include "afx/builder/test_meshes.h"
 #include "afx/octree_colours.h"
 #include "afx/reference_projection.h"
+#include "afx/surfel_sources.h"
 #include "codec/octree_voxels.h"
 
 namespace afx {
@@ -229,22 +230,13 @@ TEST(BuildOctree, GivesTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.model.images[k].picture.samples, four.model.images[k].picture.samples);
 }
 
-TEST(BuildOctree, TurnsZUpIntoYUp) {
-  const BuiltOctree built = build(dice(), {.resolution = 16, .up = UpAxis::z});
-  // What was +z (green) is now on top; what was -y (blue) faces +z.
-  EXPECT_EQ(middle_of(built.model.images[4].picture), (std::vector<uint8_t>{0, 255, 0}));
-  EXPECT_EQ(middle_of(built.model.images[0].picture), (std::vector<uint8_t>{0, 0, 255}));
-}
-
 TEST(BuildOctree, SaysWhereTheModelLay) {
   const Mesh mesh = box_mesh({10, 20, 30}, {14, 22, 33}, {1, 0, 0});
-  for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
-    const BuiltOctree built = build(mesh, {.resolution = 8, .up = up});
-    EXPECT_NEAR(built.statistics.side, 4, 1e-9);
-    EXPECT_NEAR(built.statistics.centre.x, 12, 1e-9);
-    EXPECT_NEAR(built.statistics.centre.y, 21, 1e-9);
-    EXPECT_NEAR(built.statistics.centre.z, 31.5, 1e-9);
-  }
+  const BuiltOctree built = build(mesh, {.resolution = 8});
+  EXPECT_NEAR(built.statistics.side, 4, 1e-9);
+  EXPECT_NEAR(built.statistics.centre.x, 12, 1e-9);
+  EXPECT_NEAR(built.statistics.centre.y, 21, 1e-9);
+  EXPECT_NEAR(built.statistics.centre.z, 31.5, 1e-9);
 }
 
 TEST(BuildOctree, DrawsImagesOfOtherSizes) {
@@ -292,15 +284,13 @@ TEST(BuildOctree, BuildsPointClouds) {
   EXPECT_EQ(front.pixel(5, 31 - 9)[1], 72);
 }
 
-// The centres of voxels as points, in a cube that is elsewhere, turned and far away.
-PointCloud centres_of(const std::vector<uint64_t>& codes, unsigned levels, const Cube& cube,
-                      bool z_up) {
+// The centres of voxels as points, in a cube that is elsewhere and far away.
+PointCloud centres_of(const std::vector<uint64_t>& codes, unsigned levels, const Cube& cube) {
   PointCloud cloud;
   cloud.origin = {1e6, -2e6, 3e6};
   for (const uint64_t code : codes) {
     const glm::dvec3 p = voxel_centre(code, levels) * cube.side;
-    const glm::dvec3 turned = z_up ? glm::dvec3(p.x, -p.z, p.y) : p;
-    cloud.positions.emplace_back(cube.centre + turned - cloud.origin);
+    cloud.positions.emplace_back(cube.centre + p - cloud.origin);
     cloud.colours.push_back({static_cast<uint8_t>(code), 9, 9, 255});
   }
   return cloud;
@@ -309,26 +299,36 @@ PointCloud centres_of(const std::vector<uint64_t>& codes, unsigned levels, const
 TEST(BuildOctree, FindsTheVoxelsAgainWhoseCentresItIsGiven) {
   std::mt19937 random(7);
   for (const uint32_t resolution : {1U, 3U, 100U, 256U}) {
-    for (const bool z_up : {false, true}) {
-      const unsigned levels = octree_levels(resolution);
-      std::vector<uint64_t> codes;
-      for (int n = 0; n < 500; ++n) codes.push_back(random() % (uint64_t{1} << (3 * levels)));
-      std::sort(codes.begin(), codes.end());
-      codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
-      BuildOptions options{.resolution = resolution};
-      options.cube = Cube{{1e6 + 3, -2e6 - 0.7, 3e6}, 5.3};
-      options.up = z_up ? UpAxis::z : UpAxis::y;
-      Diagnostics diagnostics;
-      const auto built =
-          build_octree(centres_of(codes, levels, *options.cube, z_up), options, diagnostics);
-      ASSERT_TRUE(built.ok()) << built.error().text;
-      EXPECT_EQ(diagnostics.count(), 0U);
-      EXPECT_EQ(built.value().model.resolution, resolution);
-      EXPECT_EQ(built.value().model.fields.octree, codec::octree_from_morton(codes, levels));
-      EXPECT_NEAR(built.value().statistics.side, 5.3, 1e-12);
-      EXPECT_NEAR(glm::length(built.value().statistics.centre - options.cube->centre), 0, 1e-9);
-    }
+    const unsigned levels = octree_levels(resolution);
+    std::vector<uint64_t> codes;
+    for (int n = 0; n < 500; ++n) codes.push_back(random() % (uint64_t{1} << (3 * levels)));
+    std::sort(codes.begin(), codes.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    BuildOptions options{.resolution = resolution};
+    options.cube = Cube{{1e6 + 3, -2e6 - 0.7, 3e6}, 5.3};
+    Diagnostics diagnostics;
+    const auto built = build_octree(centres_of(codes, levels, *options.cube), options, diagnostics);
+    ASSERT_TRUE(built.ok()) << built.error().text;
+    EXPECT_EQ(diagnostics.count(), 0U);
+    EXPECT_EQ(built.value().model.resolution, resolution);
+    EXPECT_EQ(built.value().model.fields.octree, codec::octree_from_morton(codes, levels));
+    EXPECT_NEAR(built.value().statistics.side, 5.3, 1e-12);
+    EXPECT_NEAR(glm::length(built.value().statistics.centre - options.cube->centre), 0, 1e-9);
   }
+}
+
+// The scene's own way from one form to the other: colours and octree stay.
+TEST(BuildOctree, OfThePiecesOfAnOctreeInItsCubeIsTheSameOctree) {
+  const BuiltOctree first = build(pavilion(), {.resolution = 50});
+  Diagnostics diagnostics;
+  const auto surfels = surfels_of(first.model, 2, {}, diagnostics);
+  ASSERT_TRUE(surfels.ok());
+  BuildOptions options{.resolution = 50};
+  options.cube = Cube{{0, 0, 0}, 1};
+  const auto again = build_octree(surfels.value(), options, diagnostics);
+  ASSERT_TRUE(again.ok()) << again.error().text;
+  EXPECT_EQ(again.value().model.fields.octree, first.model.fields.octree);
+  EXPECT_EQ(diagnostics.count(), 0U);
 }
 
 TEST(BuildOctree, LeavesOutWhatLiesOutsideOfTheCube) {

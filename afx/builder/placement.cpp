@@ -70,6 +70,16 @@ Bounds bounds_of(const Mesh& mesh) {
   return bounds;
 }
 
+Bounds bounds_of(const Surfels& surfels) {
+  if (surfels.size() == 0) return {};
+  Bounds bounds{surfels.centres.front(), surfels.centres.front()};
+  for (const glm::dvec3& centre : surfels.centres) {
+    bounds.low = glm::min(bounds.low, centre);
+    bounds.high = glm::max(bounds.high, centre);
+  }
+  return bounds;
+}
+
 Status place(Mesh& mesh, const Placement& placement) {
   const Result<Move> move = move_of(bounds_of(mesh), placement);
   if (!move.ok()) return move.error();
@@ -88,6 +98,18 @@ Status place(PointCloud& cloud, const Placement& placement) {
   for (glm::vec3& n : cloud.normals) n = turned(n, placement.up);
   cloud.origin =
       placement.fit > 0 ? glm::dvec3(0) : turned(cloud.origin, placement.up) * placement.scale;
+  return {};
+}
+
+Status place(Surfels& surfels, const Placement& placement) {
+  const Result<Move> move = move_of(bounds_of(surfels), placement);
+  if (!move.ok()) return move.error();
+  const auto longer = static_cast<float>(move.value().scale);
+  for (size_t i = 0; i < surfels.size(); ++i) {
+    surfels.centres[i] = move.value()(surfels.centres[i]);
+    surfels.u[i] = turned(surfels.u[i], placement.up) * longer;
+    surfels.v[i] = turned(surfels.v[i], placement.up) * longer;
+  }
   return {};
 }
 

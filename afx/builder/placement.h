@@ -8,6 +8,7 @@
 
 #include "afx/builder/grid.h"
 #include "afx/builder/mesh.h"
+#include "afx/surfels.h"
 #include "codec/error.h"
 
 namespace afx {
@@ -21,6 +22,7 @@ struct Placement {
   /// Length of the longest side of the upright box around the model, whose middle moves to the
   /// origin; 0: it stays where it is. A model without extent is moved only.
   double fit = 0;
+  bool operator==(const Placement&) const = default;
 };
 
 /// Places a model. Normals turn with it and keep their length.
@@ -28,8 +30,11 @@ struct Placement {
 ///         fit that is none, both at once, or coordinates that would be too large (1e37)
 Status place(Mesh& mesh, const Placement& placement);
 Status place(PointCloud& cloud, const Placement& placement);
+Status place(Surfels& surfels, const Placement& placement);
 
 /// The smallest upright box around the vertices that triangles use. Without triangles: the origin.
 Bounds bounds_of(const Mesh& mesh);
+/// The same around the centres of pieces of surface.
+Bounds bounds_of(const Surfels& surfels);
 
 }  // namespace afx

@@ -91,5 +91,17 @@ TEST(Place, RefusesWhatIsNoPlacement) {
             "bad_argument: so large a scale makes coordinates that are not finite");
 }
 
+TEST(Place, TurnsAndScalesPiecesOfSurfaceAsAWhole) {
+  Surfels surfels;
+  surfels.push_back({1, 2, 3}, {1, 0, 0}, {0, 1, 0}, {});
+  surfels.push_back({3, 2, 3}, {1, 0, 0}, {0, 1, 0}, {});
+  ASSERT_TRUE(place(surfels, {.up = UpAxis::z, .scale = 2}).ok());
+  EXPECT_EQ(surfels.centres[0], glm::dvec3(2, 6, -4));
+  EXPECT_EQ(surfels.u[0], glm::vec3(2, 0, 0));
+  EXPECT_EQ(surfels.v[0], glm::vec3(0, 0, -2));  // faced +z, faces up now
+  ASSERT_TRUE(place(surfels, {.fit = 1}).ok());
+  EXPECT_EQ(surfels.centres[1], glm::dvec3(0.5, 0, 0));
+}
+
 }  // namespace
 }  // namespace afx

@@ -10,12 +10,11 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
-#include "afx/builder/reference_views.h"
+#include "afx/builder/reference_cameras.h"
 
 namespace afx {
 namespace {
 
-constexpr unsigned kBoxViews = 6;
 constexpr unsigned kDirections = 128;  // that are looked from, the six of the box among them
 constexpr size_t kSamples = 100000;    // points on the surface
 constexpr uint32_t kMeterResolution = 384;
@@ -92,11 +91,8 @@ double longest_side(const ViewSource& source) {
 
 std::vector<glm::dvec3> even_directions(unsigned count) {
   std::vector<glm::dvec3> directions;
-  if (count == kBoxViews) {
-    for (unsigned view = 0; view < kBoxViews; ++view)
-      directions.emplace_back(direction_to_camera(view));
-    return directions;
-  }
+  if (count == kSideViews)  // as in reference_cameras.h
+    return {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
   const double golden = glm::pi<double>() * (3 - std::sqrt(5.0));
   for (unsigned i = 0; i < count; ++i) {
     const double y = 1 - (2 * i + 1.0) / count;
@@ -124,8 +120,8 @@ Result<CoverageMeter> CoverageMeter::of(const ViewSource& source,
   auto points = source.samples(kSamples);
   if (!points.ok()) return std::move(points).error();
   meter.points_ = std::move(points).value();
-  meter.directions_ = even_directions(kBoxViews);
-  for (const glm::dvec3& more : even_directions(kDirections - kBoxViews))
+  meter.directions_ = even_directions(kSideViews);
+  for (const glm::dvec3& more : even_directions(kDirections - kSideViews))
     meter.directions_.push_back(more);
   meter.visible_.resize(meter.points_.positions.size());
   for (const glm::dvec3& direction : meter.directions_) {
@@ -191,7 +187,7 @@ std::vector<glm::dvec3> CoverageMeter::choose(unsigned most) const {
   const auto visible = static_cast<double>(std::count(visible_.begin(), visible_.end(), true));
   while (chosen.size() < std::min<size_t>(most, directions_.size())) {
     size_t best = chosen.size(), gain = 0;  // the box first, as it is
-    if (chosen.size() >= kBoxViews) {
+    if (chosen.size() >= kSideViews) {
       best = 0;
       for (size_t d = 0; d < directions_.size(); ++d)
         if (const size_t more = gain_of(d); more > gain) {

@@ -26,7 +26,7 @@ struct ViewOptions {
 /// The longest side of the upright box around a model; 1 for one without extent.
 double longest_side(const ViewSource& source);
 
-/// Directions from the model to the camera, evenly spread: 6 are those of a box (kReferenceNames);
+/// Directions from the model to the camera, evenly spread: 6 are those of a box (reference_name());
 /// any other number lies on a spiral from top to bottom (Fibonacci lattice). count   1..kMostViews
 std::vector<glm::dvec3> even_directions(unsigned count);
 
