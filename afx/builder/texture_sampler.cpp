@@ -3,6 +3,7 @@
 #include "afx/builder/texture_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -39,10 +40,33 @@ Pair neighbours(double unit, uint32_t size, Wrap wrap) {
   return {place(first), place(first + 1), static_cast<float>(at - static_cast<double>(first))};
 }
 
+// The texels under a texel of the next level, along one side: two, or three where the side is odd,
+// each with its share of it.
+struct Cover {
+  uint32_t first, count;
+  std::array<float, 3> shares;
+};
+
+std::vector<Cover> covers(uint64_t fine, uint64_t coarse) {
+  std::vector<Cover> all(coarse);
+  for (uint64_t i = 0; i < coarse; ++i) {
+    // In units of 1/coarse of a fine texel, new texel i covers [i*fine, (i+1)*fine).
+    const uint64_t first = i * fine / coarse, last = ((i + 1) * fine - 1) / coarse;
+    all[i].first = static_cast<uint32_t>(first);
+    all[i].count = static_cast<uint32_t>(last - first + 1);
+    for (uint64_t cell = first; cell <= last; ++cell) {
+      const uint64_t low = std::max(i * fine, cell * coarse);
+      const uint64_t high = std::min((i + 1) * fine, (cell + 1) * coarse);
+      all[i].shares[cell - first] = static_cast<float>(high - low) / static_cast<float>(fine);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 TextureSampler::TextureSampler(const Picture& picture)
-    : picture_(&picture), has_alpha_(picture.components % 2 == 0) {
+    : picture_(&picture), linear_(&srgb_to_linear()), has_alpha_(picture.components % 2 == 0) {
   levels_.push_back({picture.width, picture.height, {}});
   while (levels_.back().width > 1 || levels_.back().height > 1)
     levels_.push_back(half(levels_.size() - 1));
@@ -54,7 +78,7 @@ glm::vec3 TextureSampler::light(size_t level, uint32_t x, uint32_t y) const {
     const uint16_t* rgb = texel(levels_[level], x, y);
     return glm::vec3(rgb[0], rgb[1], rgb[2]) / kOne;
   }
-  const auto& linear = srgb_to_linear();
+  const auto& linear = *linear_;
   const uint8_t* sample = picture_->pixel(x, y);
   const glm::vec3 plain = picture_->components < 3
                               ? glm::vec3(linear[sample[0]])
@@ -67,35 +91,26 @@ float TextureSampler::alpha(size_t level, uint32_t x, uint32_t y) const {
   return static_cast<float>(picture_->pixel(x, y)[picture_->components - 1]) / 255;
 }
 
-// The mean of what lies under each new texel; where a side is odd, of 2 or 3 texels by their share.
+// The mean of what lies under each new texel.
 TextureSampler::Level TextureSampler::half(size_t level) const {
   const Level& fine = levels_[level];
   Level coarse{std::max(1U, fine.width / 2), std::max(1U, fine.height / 2), {}};
   coarse.samples.resize(size_t{coarse.width} * coarse.height * samples_a_texel());
-  // In units of 1/coarse of a fine texel, new texel i covers [i*fine, (i+1)*fine).
-  const auto share = [](uint64_t i, uint64_t cell, uint64_t fine_size, uint64_t coarse_size) {
-    const uint64_t low = std::max(i * fine_size, cell * coarse_size);
-    const uint64_t high = std::min((i + 1) * fine_size, (cell + 1) * coarse_size);
-    return static_cast<float>(high - low) / static_cast<float>(fine_size);
-  };
-  for (uint32_t y = 0; y < coarse.height; ++y) {
-    const auto y0 = static_cast<uint32_t>(uint64_t{y} * fine.height / coarse.height);
-    const auto y1 = static_cast<uint32_t>((uint64_t{y + 1} * fine.height - 1) / coarse.height);
-    for (uint32_t x = 0; x < coarse.width; ++x) {
-      const auto x0 = static_cast<uint32_t>(uint64_t{x} * fine.width / coarse.width);
-      const auto x1 = static_cast<uint32_t>((uint64_t{x + 1} * fine.width - 1) / coarse.width);
+  const std::vector<Cover> columns = covers(fine.width, coarse.width);
+  const std::vector<Cover> rows = covers(fine.height, coarse.height);
+  uint16_t* to = coarse.samples.data();
+  for (const Cover& row : rows)
+    for (const Cover& column : columns) {
       glm::vec4 sum(0);
-      for (uint32_t b = y0; b <= y1; ++b)
-        for (uint32_t a = x0; a <= x1; ++a) {
-          const glm::vec4 one(light(level, a, b), has_alpha_ ? alpha(level, a, b) : 1);
-          sum +=
-              one * share(x, a, fine.width, coarse.width) * share(y, b, fine.height, coarse.height);
+      for (uint32_t j = 0; j < row.count; ++j)
+        for (uint32_t i = 0; i < column.count; ++i) {
+          const uint32_t x = column.first + i, y = row.first + j;
+          const glm::vec4 one(light(level, x, y), has_alpha_ ? alpha(level, x, y) : 1);
+          sum += one * column.shares[i] * row.shares[j];
         }
-      uint16_t* to = coarse.samples.data() + (size_t{y} * coarse.width + x) * samples_a_texel();
       for (int k = 0; k < static_cast<int>(samples_a_texel()); ++k)
-        to[k] = static_cast<uint16_t>(std::min(sum[k], 1.0F) * kOne + 0.5F);
+        *to++ = static_cast<uint16_t>(std::min(sum[k], 1.0F) * kOne + 0.5F);
     }
-  }
   return coarse;
 }
 

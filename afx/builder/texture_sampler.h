@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -46,6 +47,7 @@ class TextureSampler {
   [[nodiscard]] Level half(size_t level) const;
 
   const Picture* picture_;
+  const std::array<float, 256>* linear_;  // of sRGB values
   bool has_alpha_;
   std::vector<Level> levels_;
 };
