@@ -423,6 +423,26 @@ TEST(ReadMesh, CutsHolesAsAlphaModeOfGltfSays) {
   }
 }
 
+TEST(ReadMesh, TheAlphaOfBaseColorFactorTakesPart) {
+  const TestFolder folder;
+  ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha({0, 60, 255})).ok());
+  const auto file = [](const char* mode, const char* alpha) {
+    return gltf_square(mode, std::string(R"(},"baseColorFactor":[1,1,1,)") + alpha +
+                                 R"(],"metallicRoughnessTexture":{"index":0)");
+  };
+  const Read cut = read(folder.write("a.gltf", file(R"("alphaMode":"MASK",)", "0.8")));
+  ASSERT_TRUE(cut.mesh.ok()) << cut.mesh.error().text;
+  EXPECT_FLOAT_EQ(first_material(cut.mesh.value()).alpha_cutoff, 0.625F);
+  for (const char* alpha : {"0.4", "0"}) {
+    const Read none = read(folder.write("a.gltf", file(R"("alphaMode":"BLEND",)", alpha)));
+    ASSERT_FALSE(none.mesh.ok()) << alpha;
+    EXPECT_THAT(none.mesh.error().text, HasSubstr("2 are transparent"));
+  }
+  const Read opaque = read(folder.write("a.gltf", file("", "0.4")));
+  ASSERT_TRUE(opaque.mesh.ok());
+  EXPECT_EQ(first_material(opaque.mesh.value()).alpha_cutoff, 0);
+}
+
 TEST(ReadMesh, AlphaThatIsOneEverywhereCutsNothing) {
   const TestFolder folder;
   ASSERT_TRUE(write_picture(folder.path("t.png"), with_alpha({255, 255})).ok());
