@@ -3,139 +3,208 @@
 #include "afx/builder/image_fill.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 namespace afx {
 namespace {
 
-constexpr unsigned kRings = 2;
+constexpr uint32_t kSide = 8;  // of a block
 
-struct Mean {
-  float r = 0, g = 0, b = 0;
-  float weight = 0;  // 0: nothing known here
+// Coefficients up to this are taken away, fewer in each round until all stay. Measured: from 32 to
+// 128 JPEG of quality 90 takes the same bytes within 2 %, and more rounds gain less than 1 %.
+constexpr float kLargestSmall = 64;
+constexpr int kRounds = 16;
 
-  void add(float red, float green, float blue, float w) {
-    r += red * w;
-    g += green * w;
-    b += blue * w;
-    weight += w;
-  }
-  [[nodiscard]] Mean normalized() const {
-    return weight > 0 ? Mean{r / weight, g / weight, b / weight, 1} : Mean{};
-  }
-};
+using Row = std::array<float, kSide>;
+using Block = std::array<Row, kSide>;
 
-struct Layer {
-  uint32_t width = 0, height = 0;
-  std::vector<Mean> cells;
-  [[nodiscard]] const Mean& at(int64_t x, int64_t y) const {
-    const auto column = static_cast<size_t>(std::clamp<int64_t>(x, 0, int64_t{width} - 1));
-    const auto row = static_cast<size_t>(std::clamp<int64_t>(y, 0, int64_t{height} - 1));
-    return cells[row * width + column];
-  }
-};
-
-void set_pixel(Picture& picture, uint32_t x, uint32_t y, const Mean& mean) {
-  uint8_t* to = picture.pixel(x, y);
-  to[0] = static_cast<uint8_t>(std::lround(mean.r));
-  to[1] = static_cast<uint8_t>(std::lround(mean.g));
-  to[2] = static_cast<uint8_t>(std::lround(mean.b));
-}
-
-Mean mean_of_neighbours(const Picture& picture, const std::vector<bool>& used, uint32_t x,
-                        uint32_t y) {
-  Mean mean;
-  for (uint32_t b = y > 0 ? y - 1 : 0; b <= std::min(y + 1, picture.height - 1); ++b)
-    for (uint32_t a = x > 0 ? x - 1 : 0; a <= std::min(x + 1, picture.width - 1); ++a) {
-      if (!used[size_t{b} * picture.width + a]) continue;
-      const uint8_t* from = picture.pixel(a, b);
-      mean.add(from[0], from[1], from[2], 1);
-    }
-  return mean.normalized();
-}
-
-// One ring of pixels around those used, which count as used from then on.
-void add_ring(Picture& picture, std::vector<bool>& used) {
-  std::vector<std::pair<size_t, Mean>> ring;
-  for (uint32_t y = 0; y < picture.height; ++y)
-    for (uint32_t x = 0; x < picture.width; ++x) {
-      const size_t place = size_t{y} * picture.width + x;
-      if (used[place]) continue;
-      const Mean mean = mean_of_neighbours(picture, used, x, y);
-      if (mean.weight > 0) ring.emplace_back(place, mean);
-    }
-  for (const auto& [place, mean] : ring) {
-    used[place] = true;
-    set_pixel(picture, static_cast<uint32_t>(place % picture.width),
-              static_cast<uint32_t>(place / picture.width), mean);
-  }
-}
-
-Layer first_layer(const Picture& picture, const std::vector<bool>& used) {
-  Layer layer{(picture.width + 1) / 2, (picture.height + 1) / 2, {}};
-  layer.cells.resize(size_t{layer.width} * layer.height);
-  for (uint32_t y = 0; y < picture.height; ++y)
-    for (uint32_t x = 0; x < picture.width; ++x) {
-      if (!used[size_t{y} * picture.width + x]) continue;
-      const uint8_t* from = picture.pixel(x, y);
-      layer.cells[size_t{y / 2} * layer.width + x / 2].add(from[0], from[1], from[2], 1);
-    }
-  for (Mean& cell : layer.cells) cell = cell.normalized();
-  return layer;
-}
-
-Layer next_layer(const Layer& fine) {
-  Layer layer{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
-  layer.cells.resize(size_t{layer.width} * layer.height);
-  for (uint32_t y = 0; y < fine.height; ++y)
-    for (uint32_t x = 0; x < fine.width; ++x) {
-      const Mean& from = fine.cells[size_t{y} * fine.width + x];
-      layer.cells[size_t{y / 2} * layer.width + x / 2].add(from.r, from.g, from.b, from.weight);
-    }
-  for (Mean& cell : layer.cells) cell = cell.normalized();
-  return layer;
-}
-
-// The colour at a cell's place in the next coarser layer: the nearest cell nine times, its
-// neighbours towards the place three, three and one times (bilinear with the weights 3/4 and 1/4).
-Mean pulled(const Layer& coarse, uint32_t x, uint32_t y) {
-  const int64_t cx = x / 2, cy = y / 2;
-  const int64_t dx = x % 2 == 0 ? -1 : 1, dy = y % 2 == 0 ? -1 : 1;
-  Mean mean;
-  const auto add = [&](const Mean& cell, float weight) {
-    mean.add(cell.r, cell.g, cell.b, cell.weight * weight);
+// kBasis[k][n] = c(k) * cos((2n + 1) * k * pi / 16), the orthonormal cosine transform of length 8.
+const std::array<Row, kSide> kBasis = [] {
+  // cos(m * pi / 16)
+  constexpr double kCosine[9] = {1,
+                                 0.98078528040323044913,
+                                 0.92387953251128675613,
+                                 0.83146961230254523708,
+                                 0.70710678118654752440,
+                                 0.55557023301960222474,
+                                 0.38268343236508977173,
+                                 0.19509032201612826785,
+                                 0};
+  const auto cosine = [&](unsigned m) {
+    m %= 32;
+    if (m > 16) m = 32 - m;
+    return m <= 8 ? kCosine[m] : -kCosine[16 - m];
   };
-  add(coarse.at(cx, cy), 9);
-  add(coarse.at(cx + dx, cy), 3);
-  add(coarse.at(cx, cy + dy), 3);
-  add(coarse.at(cx + dx, cy + dy), 1);
-  return mean.normalized();
+  std::array<Row, kSide> basis{};
+  for (unsigned k = 0; k < kSide; ++k)
+    for (unsigned n = 0; n < kSide; ++n)
+      basis[k][n] = static_cast<float>((k == 0 ? kCosine[4] : 1) / 2 * cosine((2 * n + 1) * k));
+  return basis;
+}();
+
+// One way or the other, along the rows; what comes out is turned, so that two of them do both axes.
+Block forward(const Block& block) {
+  Block result{};
+  for (size_t row = 0; row < kSide; ++row)
+    for (size_t k = 0; k < kSide; ++k) {
+      float sum = 0;
+      for (size_t n = 0; n < kSide; ++n) sum += kBasis[k][n] * block[row][n];
+      result[k][row] = sum;
+    }
+  return result;
 }
+Block backward(const Block& block) {
+  Block result{};
+  for (size_t row = 0; row < kSide; ++row)
+    for (size_t k = 0; k < kSide; ++k)
+      for (size_t n = 0; n < kSide; ++n) result[n][row] += kBasis[k][n] * block[row][k];
+  return result;
+}
+
+void take_small_away(Block& coefficients, float small) {
+  const float mean = coefficients[0][0];
+  for (Row& row : coefficients)
+    for (float& c : row)
+      if (std::abs(c) < small) c = 0;
+  coefficients[0][0] = mean;
+}
+
+// A block of a picture, cut off at its borders.
+struct Place {
+  uint32_t x, y;           // of the upper left pixel
+  uint32_t width, height;  // 1..8
+};
+
+class Filler {
+ public:
+  Filler(Picture& picture, const std::vector<bool>& used)
+      : picture_(picture),
+        used_(used),
+        columns_((picture.width + kSide - 1) / kSide),
+        rows_((picture.height + kSide - 1) / kSide),
+        means_(size_t{columns_} * rows_) {}
+
+  void run() {
+    for (uint32_t row = 0; row < rows_; ++row)
+      for (uint32_t column = 0; column < columns_; ++column) {
+        const Place at = place(column, row);
+        if (count_used(at) == 0) continue;
+        Mean& mean = means_[size_t{row} * columns_ + column];
+        mean.known = true;
+        for (uint32_t c = 0; c < picture_.components; ++c) mean.of[c] = fill_free(at, c);
+      }
+    Mean before =
+        *std::find_if(means_.begin(), means_.end(), [](const Mean& m) { return m.known; });
+    for (uint32_t row = 0; row < rows_; ++row)
+      for (uint32_t column = 0; column < columns_; ++column) {
+        const Mean& own = means_[size_t{row} * columns_ + column];
+        const Mean around = own.known ? own : mean_around(column, row);
+        if (around.known) before = around;
+        if (!own.known) fill_all(place(column, row), before);
+      }
+  }
+
+ private:
+  // Of a block that has used pixels.
+  struct Mean {
+    std::array<float, 4> of{};
+    bool known = false;
+  };
+
+  [[nodiscard]] Place place(uint32_t column, uint32_t row) const {
+    const uint32_t x = column * kSide, y = row * kSide;
+    return {x, y, std::min(kSide, picture_.width - x), std::min(kSide, picture_.height - y)};
+  }
+
+  // Of the up to eight blocks around that have used pixels.
+  [[nodiscard]] Mean mean_around(uint32_t column, uint32_t row) const {
+    Mean sum;
+    float count = 0;
+    for (uint32_t y = row > 0 ? row - 1 : 0; y <= std::min(row + 1, rows_ - 1); ++y)
+      for (uint32_t x = column > 0 ? column - 1 : 0; x <= std::min(column + 1, columns_ - 1); ++x) {
+        const Mean& mean = means_[size_t{y} * columns_ + x];
+        if (!mean.known) continue;
+        for (size_t c = 0; c < 4; ++c) sum.of[c] += mean.of[c];
+        count += 1;
+      }
+    sum.known = count > 0;
+    for (float& value : sum.of) value /= std::max(count, 1.0F);
+    return sum;
+  }
+
+  [[nodiscard]] bool is_used(const Place& at, uint32_t i, uint32_t j) const {
+    return used_[size_t{at.y + j} * picture_.width + at.x + i];
+  }
+  [[nodiscard]] uint8_t& sample(const Place& at, uint32_t i, uint32_t j, uint32_t c) const {
+    return picture_.pixel(at.x + i, at.y + j)[c];
+  }
+  template <class Visit>
+  static void for_each(const Place& at, Visit&& visit) {
+    for (uint32_t j = 0; j < at.height; ++j)
+      for (uint32_t i = 0; i < at.width; ++i) visit(i, j);
+  }
+
+  [[nodiscard]] uint32_t count_used(const Place& at) const {
+    uint32_t count = 0;
+    for_each(at, [&](uint32_t i, uint32_t j) { count += is_used(at, i, j) ? 1 : 0; });
+    return count;
+  }
+
+  void fill_all(const Place& at, const Mean& mean) {
+    for_each(at, [&](uint32_t i, uint32_t j) {
+      for (uint32_t c = 0; c < picture_.components; ++c)
+        sample(at, i, j, c) = static_cast<uint8_t>(std::lround(mean.of[c]));
+    });
+  }
+
+  // The free pixels of a block that has used ones, in one component; those beyond the border of the
+  // picture are as free. Returns the mean of the block.
+  float fill_free(const Place& at, uint32_t c) {
+    float sum = 0;
+    for_each(at, [&](uint32_t i, uint32_t j) {
+      if (is_used(at, i, j)) sum += sample(at, i, j, c);
+    });
+    const uint32_t count = count_used(at);
+    Block block;
+    for (Row& row : block) row.fill(sum / static_cast<float>(count));
+    const auto put_back = [&] {
+      for_each(at, [&](uint32_t i, uint32_t j) {
+        if (is_used(at, i, j)) block[j][i] = sample(at, i, j, c);
+      });
+    };
+    put_back();
+    for (int round = 0; round < kRounds && count < kSide * kSide; ++round) {
+      Block coefficients = forward(forward(block));
+      take_small_away(coefficients, kLargestSmall * static_cast<float>(kRounds - round) / kRounds);
+      block = backward(backward(coefficients));
+      put_back();
+    }
+    float all = 0;
+    for_each(at, [&](uint32_t i, uint32_t j) {
+      const float value = std::clamp(block[j][i], 0.0F, 255.0F);
+      if (!is_used(at, i, j)) sample(at, i, j, c) = static_cast<uint8_t>(std::lround(value));
+      all += sample(at, i, j, c);
+    });
+    return all / static_cast<float>(at.width * at.height);
+  }
+
+  Picture& picture_;
+  const std::vector<bool>& used_;
+  uint32_t columns_, rows_;  // of blocks
+  std::vector<Mean> means_;  // of blocks, row by row
+};
 
 }  // namespace
 
-void fill_unused(Picture& picture, const std::vector<bool>& used_by_object) {
-  std::vector<bool> used = used_by_object;
+void fill_unused(Picture& picture, const std::vector<bool>& used) {
   if (std::find(used.begin(), used.end(), true) == used.end()) {
     std::fill(picture.samples.begin(), picture.samples.end(), uint8_t{128});
     return;
   }
-  for (unsigned ring = 0; ring < kRings; ++ring) add_ring(picture, used);
-  std::vector<Layer> layers{first_layer(picture, used)};
-  while (layers.back().width > 1 || layers.back().height > 1)
-    layers.push_back(next_layer(layers.back()));
-  for (size_t n = layers.size() - 1; n-- > 0;)
-    for (uint32_t y = 0; y < layers[n].height; ++y)
-      for (uint32_t x = 0; x < layers[n].width; ++x) {
-        Mean& cell = layers[n].cells[size_t{y} * layers[n].width + x];
-        if (!(cell.weight > 0)) cell = pulled(layers[n + 1], x, y);
-      }
-  for (uint32_t y = 0; y < picture.height; ++y)
-    for (uint32_t x = 0; x < picture.width; ++x)
-      if (!used[size_t{y} * picture.width + x]) set_pixel(picture, x, y, pulled(layers[0], x, y));
+  Filler(picture, used).run();
 }
 
 }  // namespace afx

@@ -8,11 +8,20 @@
 
 namespace afx {
 
-/// Gives the pixels that nothing uses colours that continue their surroundings smoothly, so that a
-/// lossy image coder spends nothing on them and no foreign colour bleeds into the object at the
-/// borders of its blocks. First two rings of pixels repeat the mean of their used neighbours, then
-/// means over ever larger squares fill the rest (push and pull). picture   RGB used      one for
-/// each pixel; those stay as they are. All false: the picture becomes mid grey
+/// Gives the pixels that nothing uses colours that cost an image coder least; JPEG is thought of,
+/// and its blocks of 8 x 8 pixels. No foreign colour bleeds into used pixels: what a block's free
+/// pixels show is made from its used ones alone.
+///
+/// Free pixels of a block that has used ones are such that the block has few coefficients: the
+/// small ones of its cosine transform are taken away, the used pixels put back, again and again.
+/// Blocks without used pixels have one colour: the mean of the blocks around that have some, which
+/// is what coarser levels of an octree may see of them, and where there are none that of the block
+/// before, so that differences of blocks or neighbours, which coders code, are zero.
+/// Source: projection onto convex sets, after Papoulis and Gerchberg.
+///
+/// picture   any number of components; its blocks begin at the left and the top
+/// used      one for each pixel, row by row; those stay as they are. All false: the picture becomes
+///           mid grey
 void fill_unused(Picture& picture, const std::vector<bool>& used);
 
 }  // namespace afx

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 
 namespace afx {
 namespace {
@@ -41,21 +41,59 @@ TEST(FillUnused, ContinuesASingleColourEverywhere) {
   }
 }
 
-TEST(FillUnused, HasNoHardEdgesOfItsOwn) {
-  // Black at the left border, white at the right one: what lies between gets there gradually.
-  Picture picture(64, 64, 3);
-  std::vector<bool> used(64 * 64);
-  for (uint32_t y = 0; y < 64; ++y) {
-    used[y * 64] = used[y * 64 + 63] = true;
-    std::fill_n(picture.pixel(63, y), 3, uint8_t{255});
-  }
+TEST(FillUnused, FindsTheWaveThatUsedPixelsAreOf) {
+  // One wave of the cosine transform, of which two columns are missing: there is no way to have
+  // fewer coefficients than to continue it.
+  const auto wave = [](uint32_t x) { return 128 + 20 * std::cos((2.0 * x + 1) * 3.14159265 / 16); };
+  Picture picture(8, 8, 3);
+  std::vector<bool> used(64);
+  for (uint32_t y = 0; y < 8; ++y)
+    for (uint32_t x = 0; x < 8; ++x) {
+      if (x == 1 || x == 6) continue;
+      used[y * 8 + x] = true;
+      std::fill_n(picture.pixel(x, y), 3, static_cast<uint8_t>(std::lround(wave(x))));
+    }
   fill_unused(picture, used);
-  for (uint32_t x = 0; x + 1 < 64; ++x) {
-    EXPECT_LT(std::abs(picture.pixel(x + 1, 32)[0] - picture.pixel(x, 32)[0]), 40) << x;
-    EXPECT_GE(picture.pixel(x + 1, 32)[0], picture.pixel(x, 32)[0]) << x;
-  }
-  EXPECT_EQ(picture.pixel(1, 32)[0], 0);  // next to the object: its colour
-  EXPECT_EQ(picture.pixel(62, 32)[0], 255);
+  for (uint32_t y = 0; y < 8; ++y)
+    for (const uint32_t x : {1U, 6U}) EXPECT_NEAR(picture.pixel(x, y)[1], wave(x), 2) << x;
+}
+
+TEST(FillUnused, KeepsBlocksApart) {
+  // A black and a white pixel in two blocks side by side: neither shows in the other.
+  Picture picture(16, 8, 3);
+  std::vector<bool> used(128);
+  used[7] = used[8] = true;
+  std::fill_n(picture.pixel(8, 0), 3, uint8_t{255});
+  fill_unused(picture, used);
+  for (uint32_t x = 0; x < 16; ++x) EXPECT_EQ(picture.pixel(x, 5)[0], x < 8 ? 0 : 255) << x;
+}
+
+TEST(FillUnused, GivesEmptyBlocksTheColourAroundOrBefore) {
+  // Four by three blocks; the second of the first row is black, the last of the last white.
+  Picture picture(32, 24, 3);
+  std::vector<bool> used(32 * 24);
+  used[8] = used[23 * 32 + 31] = true;
+  std::fill_n(picture.pixel(31, 23), 3, uint8_t{255});
+  fill_unused(picture, used);
+  const auto block = [&](uint32_t column, uint32_t row) {
+    return picture.pixel(8 * column + 3, 8 * row + 4)[0];
+  };
+  EXPECT_EQ(block(0, 0), 0);    // beside the black one
+  EXPECT_EQ(block(3, 0), 0);    // before: black, too
+  EXPECT_EQ(block(2, 1), 128);  // between both
+  EXPECT_EQ(block(3, 1), 255);
+  EXPECT_EQ(block(0, 2), 255);  // before, in the row above
+  EXPECT_EQ(block(1, 2), 255);
+}
+
+TEST(FillUnused, TakesAnyNumberOfComponents) {
+  Picture picture(9, 3, 1);
+  std::vector<bool> used(27);
+  used[0] = true;
+  picture.samples[0] = 77;
+  fill_unused(picture, used);
+  EXPECT_TRUE(std::all_of(picture.samples.begin(), picture.samples.end(),
+                          [](uint8_t s) { return s == 77; }));
 }
 
 TEST(FillUnused, MakesAnEmptyPictureGrey) {
