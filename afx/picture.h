@@ -61,4 +61,12 @@ struct DeepPicture {
   std::vector<uint16_t> samples;  ///< height * width * components
 };
 
+/// A picture in floating point, as it is stored: distances and other data.
+struct FloatPicture {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  uint32_t components = 0;
+  std::vector<float> samples;  ///< height * width * components; may be infinite or NaN
+};
+
 }  // namespace afx

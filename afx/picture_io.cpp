@@ -146,9 +146,11 @@ Result<P> decode(std::span<const uint8_t> bytes, const std::string& name, const 
                  name};
   if (module().functions == nullptr)
     return Error{Errc::not_available, {}, module().problem, {}, name};
-  const bool exact = std::is_same_v<P, DeepPicture>;
+  const int samples = std::is_same_v<P, DeepPicture>    ? kAfxSamplesStored
+                      : std::is_same_v<P, FloatPicture> ? kAfxSamplesFloat
+                                                        : kAfxSamplesShown;
   const afx_picture_read_request request{format.c_str(), bytes.data(),          bytes.size(),
-                                         exact ? 1 : 0,  limits.picture_pixels, limits.memory};
+                                         samples,        limits.picture_pixels, limits.memory};
   P picture;
   afx_picture_error error{};
   if (module().functions->read(&request, allocate_picture<P>, &picture, &error) != 0)
@@ -256,6 +258,11 @@ Result<DeepPicture> decode_deep_picture(std::span<const uint8_t> bytes, const st
   widen_bytes(picture.value());
   narrow_png(bytes, picture.value());
   return picture;
+}
+
+Result<FloatPicture> decode_float_picture(std::span<const uint8_t> bytes, const std::string& name,
+                                          const Limits& limits) {
+  return decode<FloatPicture>(bytes, name, limits);
 }
 
 Result<Picture> read_picture(const std::string& path, const Limits& limits) {

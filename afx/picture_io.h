@@ -42,6 +42,11 @@ Result<DeepPicture> read_deep_picture(const std::string& path, const Limits& lim
 Result<DeepPicture> decode_deep_picture(std::span<const uint8_t> bytes,
                                         const std::string& name = {}, const Limits& limits = {});
 
+/// Reads a picture of floating point with its samples as stored (OpenEXR, TIFF, Radiance HDR).
+/// Errors as read_picture; unsupported also: integers
+Result<FloatPicture> decode_float_picture(std::span<const uint8_t> bytes,
+                                          const std::string& name = {}, const Limits& limits = {});
+
 /// How a picture is written.
 struct PictureOptions {
   int jpeg_quality = 90;    ///< 1..100. Chroma is never subsampled (4:4:4)

@@ -80,11 +80,21 @@ struct Input {
   }
 };
 
-// The largest integer that the stored samples hold exactly, or their kind if they are not integers.
-OIIO::TypeDesc stored_type(const OIIO::ImageSpec& spec) {
+// The kind of samples that is handed over; whether the stored ones are of it, as asked.
+OIIO::TypeDesc sample_type(const afx_picture_read_request& request, const OIIO::ImageSpec& spec) {
+  if (request.samples == kAfxSamplesShown) return OIIO::TypeDesc::UINT8;
+  if (request.samples == kAfxSamplesFloat) {
+    if (spec.format.is_floating_point()) return OIIO::TypeDesc::FLOAT;
+    throw Failure{kAfxPictureUnsupported, "samples are integers (expected floating point)"};
+  }
   if (spec.format == OIIO::TypeDesc::UINT8) return OIIO::TypeDesc::UINT8;
   if (spec.format == OIIO::TypeDesc::UINT16) return OIIO::TypeDesc::UINT16;
-  return OIIO::TypeDesc::FLOAT;
+  throw Failure{kAfxPictureUnsupported, "samples are neither 8 nor 16 bit integers"};
+}
+
+// Whether 8 bits cannot take over the samples as they are.
+bool is_linear(const OIIO::ImageSpec& spec) {
+  return spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16;
 }
 
 void check_size(const afx_picture_read_request& request, const OIIO::ImageSpec& spec,
@@ -124,19 +134,16 @@ void read_linear(Input& in, int channels, uint8_t* to) {
 void read_picture(const afx_picture_read_request& request, afx_picture_allocate allocate,
                   void* user) {
   Input in(request);
-  const OIIO::TypeDesc stored = stored_type(in.spec);
-  const bool linear = stored == OIIO::TypeDesc::FLOAT;
-  if (linear && request.exact != 0)
-    throw Failure{kAfxPictureUnsupported, "samples are neither 8 nor 16 bit integers"};
-  const OIIO::TypeDesc type = request.exact != 0 ? stored : OIIO::TypeDesc(OIIO::TypeDesc::UINT8);
-  check_size(request, in.spec, linear ? sizeof(float) : type.size());
+  const OIIO::TypeDesc type = sample_type(request, in.spec);
+  const bool to_srgb = request.samples == kAfxSamplesShown && is_linear(in.spec);
+  check_size(request, in.spec, to_srgb ? sizeof(float) : type.size());
   const int channels = std::min(in.spec.nchannels, 4);
   const afx_picture_shape shape{
       static_cast<uint32_t>(in.spec.width), static_cast<uint32_t>(in.spec.height),
       static_cast<uint32_t>(channels), static_cast<uint32_t>(type.size())};
   void* to = allocate(user, &shape);
   if (to == nullptr) throw std::bad_alloc();
-  if (linear)
+  if (to_srgb)
     read_linear(in, channels, static_cast<uint8_t*>(to));
   else
     read_pixels(in, channels, type, to);

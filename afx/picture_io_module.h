@@ -15,7 +15,7 @@ struct afx_picture_shape {
   uint32_t width;
   uint32_t height;
   uint32_t components;    ///< 1..4
-  uint32_t sample_bytes;  ///< 1 or 2, native byte order
+  uint32_t sample_bytes;  ///< 1 or 2, integers; 4, float; native byte order
 };
 
 /// Why something failed. code   0 = nothing, else one of kAfxPicture...
@@ -31,6 +31,13 @@ enum {
   kAfxPictureNoMemory = 4
 };
 
+/// Which samples are asked for.
+enum {
+  kAfxSamplesShown = 0,   ///< 8 bits, linear light becomes sRGB
+  kAfxSamplesStored = 1,  ///< as stored, 8 or 16 bits
+  kAfxSamplesFloat = 2    ///< as stored, floating point
+};
+
 /// Gives memory for `shape`, which the caller of the module owns; null: none to be had.
 typedef void* (*afx_picture_allocate)(void* user, const struct afx_picture_shape* shape);
 /// Takes the bytes of an encoded picture; called once. Non-zero: could not.
@@ -40,7 +47,7 @@ struct afx_picture_read_request {
   const char* format;  ///< e.g. "png"
   const void* bytes;
   size_t size;
-  int exact;  ///< 1: samples as stored, 8 or 16 bits; 0: 8 bits, linear light becomes sRGB
+  int samples;  ///< one of kAfxSamples...
   uint64_t max_pixels;
   uint64_t max_bytes;
 };
@@ -63,7 +70,7 @@ struct afx_picture_module {
                struct afx_picture_error* error);
 };
 
-enum { kAfxPictureModuleVersion = 1 };
+enum { kAfxPictureModuleVersion = 2 };
 
 /// The one symbol of the module, by the name "afx_picture_module_get".
 typedef const struct afx_picture_module* (*afx_picture_module_get_function)(void);
