@@ -141,7 +141,8 @@ TEST_F(Program, BuildSaysWhatIsNoMesh) {
   write_file(file("x.wrl"), "#VRML V2.0 utf8\n");
   const Outcome scene = run("build x.wrl -o m.wrl");
   EXPECT_EQ(scene.code, 3);
-  EXPECT_EQ(scene.err, "afx: x.wrl: is scene text (expected a mesh or coloured points)\n");
+  EXPECT_EQ(scene.err,
+            "afx: x.wrl: the scene has no DIBR nodes (expected DepthImage or OctreeImage)\n");
 }
 
 }  // namespace

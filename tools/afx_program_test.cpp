@@ -246,12 +246,12 @@ TEST_F(Program, BuildsEncodesDecodesAndRendersAMesh) {
 
 TEST_F(Program, BuildLeavesNothingBehindWhenItFails) {
   write_file(file("mesh.obj"), kTwoTriangles);
-  write_file(file("m_left.png"), "mine");
+  write_file(file("m_front.png"), "mine");
   EXPECT_EQ(run("build mesh.obj -o m.wrl --resolution 16").code, 1);
   write_file(file("bad.obj"), "this is no mesh\n");
   EXPECT_EQ(run("build bad.obj -o n.wrl").code, 3);
-  EXPECT_EQ(files(), (std::vector<std::string>{"bad.obj", "m_left.png", "mesh.obj"}));
-  EXPECT_EQ(read_file(file("m_left.png")), "mine");
+  EXPECT_EQ(files(), (std::vector<std::string>{"bad.obj", "m_front.png", "mesh.obj"}));
+  EXPECT_EQ(read_file(file("m_front.png")), "mine");
 }
 
 TEST_F(Program, AMissingPictureIsAWarningAndStrictAFailure) {

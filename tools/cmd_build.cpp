@@ -2,238 +2,253 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "afx/builder/model_reader.h"
+#include "afx/builder/depth_image_builder.h"
 #include "afx/builder/octree_builder.h"
-#include "afx/file.h"
-#include "afx/octree_image.h"
-#include "afx/picture_io.h"
+#include "afx/builder/placement.h"
 #include "nodes/scene_writer.h"
-#include "tools/abort_guard.h"
+#include "tools/build.h"
 #include "tools/commands.h"
-#include "tools/input.h"
-#include "tools/progress_bar.h"
-#include "tools/session.h"
+#include "tools/formats.h"
 
 namespace afx::tools {
 namespace {
 
-struct BuildCommand {
-  std::vector<std::string> inputs;
-  std::string output;
-  uint32_t resolution = 256;
-  uint32_t image_size = 0;
-  std::string image_format = "png";
-  int jpeg_quality = 90;
-  std::string shade = "auto";
-  std::string up;  ///< empty: not given, y
+struct Form {
+  const char* name;
+  Result<BuiltScene> (*build)(ModelInput&&, const BuildJob&);
+  uint32_t most;  ///< the greatest --resolution
 };
+constexpr Form kForms[] = {{"octree", build_octree_scene, kMaxBuildResolution},
+                           {"depth", build_depth_scene, kMaxPictureResolution},
+                           {"points", build_points_scene, kMaxPictureResolution}};
 
-/// The scene of a built model, in the input's own coordinates.
-nodes::Scene compose(const BuiltOctree& built, const std::vector<std::string>& pictures) {
-  std::vector<ReferenceImageNode> images;
-  for (size_t i = 0; i < pictures.size(); ++i) {
-    images.push_back({built.model.images[i], pictures[i], kReferenceNearPlane, kReferenceFarPlane});
-  }
-  nodes::Scene scene;
-  const auto top = scene.add("Group");  // BIFS has no Transform at the top
-  const auto transform = scene.add("Transform");
-  const nodes::NodeId octree =
-      add_octree_image(scene, built.model.resolution, built.model.fields, images);
-  const auto side = static_cast<float>(built.statistics.side);
-  // All of it is known to be right: the fields exist and an OctreeImage may stand under a
-  // Transform.
-  (void)scene.set(transform.value(), "translation", glm::vec3(built.statistics.centre));
-  (void)scene.set(transform.value(), "scale", glm::vec3(side));
-  (void)scene.append(transform.value(), "children", octree);
-  (void)scene.append(top.value(), "children", transform.value());
-  scene.add_root(top.value());
-  return scene;
+const Form& form_of(const BuildCommand& command) {
+  for (const Form& form : kForms)
+    if (command.as == form.name) return form;
+  return kForms[0];  // the option takes no other
 }
 
-/// Where a picture goes: beside the scene, with its name in front.
-std::string picture_name(const BuildCommand& command, const std::string& name) {
-  const std::string stem = std::filesystem::path(command.output).stem().string();
-  return stem + "_" + name + (command.image_format == "jpeg" ? ".jpg" : ".png");
+/// A sentence about options that do not fit each other; empty: there is none.
+std::string clash(const BuildCommand& c) {
+  const Form& form = form_of(c);
+  if (c.resolution > form.most)
+    return "--resolution is " + std::to_string(c.resolution) + " (expected 1 to " +
+           std::to_string(form.most) + " for --as " + c.as + ")";
+  const bool octree = c.as == "octree", depth = c.as == "depth";
+  const bool targets = c.target_size || c.target_psnr;
+  if (!octree && (c.image_size != 0 || c.images != 0 || targets || !c.cube.empty()))
+    return "--image-size, --images, --target-size, --target-psnr and --cube are for --as octree";
+  if (octree && (c.views != BuildCommand().views || c.perspective || c.depth_bits != 0))
+    return "--views, --perspective and --depth-bits are for --as depth and --as points";
+  if (!depth && (c.coverage || c.depth_in_alpha))
+    return "--coverage and --depth-in-alpha are for --as depth";
+  if (depth && c.depth_bits != 0 && c.depth_bits != 8 && c.depth_bits != 16)
+    return "--depth-bits is " + std::to_string(c.depth_bits) + " (expected 8 or 16 for --as depth)";
+  if (c.depth_in_alpha && c.image_format == "jpeg")
+    return "JPEG has no alpha channel (expected --image-format png with --depth-in-alpha)";
+  if (c.fit && c.scale != 1) return "--scale and --fit exclude each other";
+  if (c.target_size && c.target_psnr) return "--target-size and --target-psnr exclude each other";
+  if (targets && c.image_format != "jpeg")
+    return "PNG has one quality only (expected --image-format jpeg with a target)";
+  if (!c.cube.empty() && !(c.cube[3] > 0)) return "the side of --cube is not above 0";
+  return {};
 }
 
-Result<BuiltOctree> build_from_file(const BuildCommand& command, const Session& session,
-                                    Diagnostics& diagnostics) {
-  ProgressBar bar(session.options.progress, session.options.quiet);
-  bar.show("reading", 0);
-  const auto source = [&] {
-    const AbortGuard guard(command.inputs.front());
-    return read_source_model(command.inputs.front(), session.limits, diagnostics);
-  }();
-  if (!source.ok()) return source.error();
-  BuildOptions options;
-  options.resolution = command.resolution;
-  options.image_size = command.image_size;
-  options.threads = session.options.threads;
-  options.up = command.up == "z" ? UpAxis::z : UpAxis::y;
-  if (command.shade == "always") options.shade = Shade::always;
-  if (command.shade == "never") options.shade = Shade::never;
-  options.limits = session.limits;
-  options.progress = [&bar](const char* stage, double done) { bar.show(stage, done); };
-  return std::visit([&](const auto& model) { return build_octree(model, options, diagnostics); },
-                    source.value());
+Placement placement_of(const BuildCommand& command) {
+  Placement placement;
+  placement.up = command.up == "z" ? UpAxis::z : UpAxis::y;
+  placement.scale = command.scale;
+  placement.fit = command.fit.value_or(0);
+  return placement;
 }
 
-/// What there is to say of it, for people.
-std::vector<std::string> lines_of(const BuildCommand& command, const BuiltOctree& built,
-                                  uint64_t image_bytes, uint64_t scene_bytes) {
-  const BuildStatistics& s = built.statistics;
-  const double seen =
-      s.exposed == 0 ? 100 : 100.0 * static_cast<double>(s.seen) / static_cast<double>(s.exposed);
-  std::vector<std::string> lines{
-      command.output + ": " + counted(scene_bytes, "byte") + " of scene text",
-      "  voxels: " + grouped(s.voxels) + " at resolution " +
-          std::to_string(built.model.resolution) + ", from " + grouped(s.primitives) +
-          " triangles or points",
-      "  octree: " + counted(built.model.fields.octree.size(), "byte") +
-          "; image indices: " + counted(built.model.fields.voxel_image_index.size(), "symbol"),
-      "  images: " + std::to_string(built.model.images.size()) + ", " +
-          counted(image_bytes, "byte") + "; they show " + fixed(seen, 1) +
-          " % of the outside, colours at " + fixed(s.psnr, 1) + " dB"};
+/// Files of these kinds mean z by up more often than not; the user may not know.
+std::string hint_of(const BuildCommand& command) {
   const std::string ending = ending_of(command.inputs.front());
-  if (command.up.empty() && (ending == "stl" || ending == "3ds")) {
-    lines.push_back("  up: the y axis; files of this kind often mean z, which --up z takes");
-  }
-  return lines;
+  if (!command.up.empty() || (ending != "stl" && ending != "3ds")) return {};
+  return "  up: the y axis; files of this kind often mean z, which --up z takes";
 }
 
-nlohmann::ordered_json json_of(const BuildCommand& command, const BuiltOctree& built,
-                               uint64_t image_bytes, uint64_t scene_bytes) {
-  const BuildStatistics& s = built.statistics;
-  return {{"output", command.output},
-          {"sceneBytes", scene_bytes},
-          {"octreeResolution", built.model.resolution},
-          {"primitives", s.primitives},
-          {"voxels", s.voxels},
-          {"octreeBytes", built.model.fields.octree.size()},
-          {"voxelImageIndexSymbols", built.model.fields.voxel_image_index.size()},
-          {"images", built.model.images.size()},
-          {"imageBytes", image_bytes},
-          {"exposedVoxels", s.exposed},
-          {"seenVoxels", s.seen},
-          {"psnr", s.psnr},
-          {"shaded", s.shaded}};
+/// Puts a model where it is wanted. The objects of a scene become pieces of surface if they are to
+/// be moved.
+Status place_input(ModelInput& model, const BuildJob& job) {
+  const Placement placement = placement_of(job.command);
+  if (placement == Placement()) return {};
+  if (std::holds_alternative<std::vector<DibrModel>>(model)) {
+    auto surfels = surfels_of_input(std::move(model), job.session, job.diagnostics);
+    if (!surfels.ok()) return surfels.error();
+    model = std::move(surfels).value();
+  }
+  if (auto* mesh = std::get_if<Mesh>(&model)) return place(*mesh, placement);
+  if (auto* cloud = std::get_if<PointCloud>(&model)) return place(*cloud, placement);
+  return place(std::get<Surfels>(model), placement);
 }
 
-/// Encodes the pictures and puts everything in; returns an exit code.
-int write(const BuildCommand& command, const std::string& format, const BuiltOctree& built,
-          OutputFiles& outputs, const Session& session) {
-  const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
-  std::vector<std::string> names;
-  uint64_t image_bytes = 0;
-  for (size_t i = 0; i < built.model.images.size(); ++i) {
-    names.push_back(picture_name(command, built.names[i]));
-    const auto bytes = encode_picture(built.model.images[i].picture, command.image_format,
-                                      {.jpeg_quality = command.jpeg_quality});
-    if (!bytes.ok()) return session.fail(bytes.error(), names.back());
-    image_bytes += bytes.value().size();
-    if (session.options.dry_run) continue;
-    if (Status put = outputs.put((folder / names.back()).string(), bytes.value()); !put.ok())
-      return session.fail(put.error());
-  }
-  const nodes::Scene scene = compose(built, names);
-  const std::string text = nodes::write_scene_text(scene, {.vrml_header = format != "bt"});
-  if (!session.options.dry_run) {
-    const auto* bytes = reinterpret_cast<const uint8_t*>(text.data());
-    if (Status put = outputs.put(command.output, {bytes, text.size()}); !put.ok())
-      return session.fail(put.error());
-  }
-  return session.finish(outputs, command.output, lines_of(command, built, image_bytes, text.size()),
-                        json_of(command, built, image_bytes, text.size()));
+Result<BuiltScene> build_scene(const BuildJob& job) {
+  job.bar.show("reading", 0);
+  auto model = read_model_input(job.command.inputs.front(), job.session, job.diagnostics);
+  if (!model.ok()) return std::move(model).error();
+  if (Status placed = place_input(model.value(), job); !placed.ok()) return placed.error();
+  return form_of(job.command).build(std::move(model).value(), job);
 }
 
-/// Asks before the long work whether the outputs may be written.
-Status check_outputs(const BuildCommand& command, const OutputFiles& outputs) {
-  const std::filesystem::path folder = std::filesystem::path(command.output).parent_path();
-  for (unsigned i = 0; i < kSideViews; ++i) {
-    if (Status free = outputs.check((folder / picture_name(command, reference_name(i))).string());
-        !free.ok())
-      return free;
+/// Writes the text of the scene; gives its size.
+Result<uint64_t> write_scene(const BuiltScene& built, const std::string& format,
+                             const BuildJob& job) {
+  uint64_t bytes = 0;
+  OutputFiles::Sink put = [](std::span<const uint8_t>) { return Status(); };
+  if (!job.session.options.dry_run) {
+    auto begun = job.outputs.begin(job.command.output);
+    if (!begun.ok()) return std::move(begun).error();
+    put = std::move(begun).value();
   }
-  return outputs.check(command.output);
-}
-
-/// Refuses what certainly is no mesh, before the model library finds words for it.
-Status check_input(const std::string& path, const Limits& limits) {
-  const auto file = MappedFile::open(path, limits);
-  if (!file.ok()) return file.error();
-  const Kind content = kind_of_content(file.value().bytes());
-  const Kind kind = content == Kind::unknown ? kind_of_ending(path) : content;
-  if (kind == Kind::model || kind == Kind::unknown) return {};
-  return Error{Errc::unsupported,
-               Place::none(),
-               std::string("is ") + describe(kind) + " (expected a mesh or coloured points)",
-               {},
-               path};
+  const nodes::TextSink sink = [&](std::string_view text) {
+    bytes += text.size();
+    return put({reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+  };
+  const Status written =
+      nodes::write_scene_text_to(sink, built.scene, {.vrml_header = format != "bt"});
+  if (!written.ok()) return written.error();
+  return bytes;
 }
 
 int build(const BuildCommand& command, const Session& session) {
   if (command.inputs.size() > 1)
-    return session.usage("this version builds from one INPUT at a time");
+    return session.usage(
+        "this version builds from one INPUT at a time (several RGB-D pictures: "
+        "one .json that lists them)");
   constexpr const char* kOutputs[] = {"wrl", "bt"};
   std::string format;
   if (const int code = output_format(session, command.output, {}, kOutputs, format); code != kDone)
     return code;
+  if (const std::string text = clash(command); !text.empty()) return session.usage(text);
   OutputFiles outputs(session.options.overwrite);
-  if (Status free = check_outputs(command, outputs); !free.ok())
+  if (Status free = outputs.check(command.output); !free.ok())
     return session.fail(free.error(), command.output);
   const std::string& input = command.inputs.front();
-  if (Status fits = check_input(input, session.limits); !fits.ok())
-    return session.fail(fits.error(), input);
   Diagnostics diagnostics;
-  const auto built = build_from_file(command, session, diagnostics);
+  ProgressBar bar(session.options.progress, session.options.quiet);
+  const BuildJob job{command, session, bar, outputs, diagnostics};
+  auto built = build_scene(job);
   if (!built.ok()) return session.fail(built.error(), input, diagnostics);
   if (const int code = session.warn(diagnostics, input); code != kDone) return code;
-  return write(command, format, built.value(), outputs, session);
+  const auto bytes = write_scene(built.value(), format, job);
+  if (!bytes.ok()) return session.fail(bytes.error(), command.output);
+  std::vector<std::string> lines{command.output + ": " + counted(bytes.value(), "byte") +
+                                 " of scene text"};
+  lines.insert(lines.end(), built.value().lines.begin(), built.value().lines.end());
+  if (const std::string hint = hint_of(command); !hint.empty()) lines.push_back(hint);
+  nlohmann::ordered_json json{{"output", command.output}, {"sceneBytes", bytes.value()}};
+  json.update(built.value().json);
+  return session.finish(outputs, command.output, lines, json);
+}
+
+void add_common_forms(CLI::App& command, BuildCommand& options) {
+  command
+      .add_option("INPUT", options.inputs,
+                  "Mesh (.obj .ply .gltf .glb .dae .stl ...), points (.ply), RGB-D pictures "
+                  "(.json) or a scene of DIBR nodes")
+      ->required();
+  command
+      .add_option("-o,--output", options.output,
+                  "The scene (.wrl .bt); its pictures are written beside it")
+      ->required();
+  command
+      .add_option("--as", options.as,
+                  "octree = OctreeImage, depth = DepthImages with SimpleTextures, points = one "
+                  "DepthImage with a PointTexture")
+      ->check(CLI::IsMember({"octree", "depth", "points"}))
+      ->capture_default_str();
+  command
+      .add_option_function<uint32_t>(
+          "--resolution",
+          [&options](const uint32_t& value) {
+            options.resolution = value;
+            options.resolution_given = true;
+          },
+          "Voxels or pixels along the longest side")
+      ->check(CLI::Range(1U, kMaxPictureResolution))
+      ->default_str("256");
+  command
+      .add_option("--up", options.up,
+                  "Axis of the input that points up; z, as most scans, CAD and .stl files have it, "
+                  "is turned to y")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->default_str("y");
+  command.add_option("--scale", options.scale, "Makes the model so many times as large")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--fit", options.fit,
+                  "Puts the model's middle at the origin and makes its longest side so long")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--shade", options.shade,
+                  "Soft light painted into the colours: auto = where the model has none of its own")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  command.add_option("--image-format", options.image_format, "Format of the colour pictures")
+      ->check(CLI::IsMember({"png", "jpeg"}))
+      ->capture_default_str();
+  command.add_option("--jpeg-quality", options.jpeg_quality, "Quality of JPEG pictures")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+}
+
+void add_camera_options(CLI::App& command, BuildCommand& options) {
+  command
+      .add_option("--views", options.views,
+                  "Views of --as depth: a number spread evenly (6 = the sides of a box), auto = as "
+                  "many as show all there is to see, or a file: cameras (.json) or a scene whose "
+                  "cameras are taken; of --as points the file with the one camera")
+      ->capture_default_str();
+  command.add_flag("--perspective", options.perspective, "Cameras with perspective");
+  command.add_flag("--coverage", options.coverage,
+                   "Measures which part of the visible surface the views show");
+  command
+      .add_option("--depth-bits", options.depth_bits,
+                  "Bits of a depth: 8 or 16 (default) for --as depth; 1 to 32 for --as points, "
+                  "default: what half a pixel's side asks for")
+      ->check(CLI::Range(1U, 32U));
+  command.add_flag("--depth-in-alpha", options.depth_in_alpha,
+                   "Depth in the alpha channel of the colour picture");
+}
+
+void add_octree_options(CLI::App& command, BuildCommand& options) {
+  command
+      .add_option("--images", options.images,
+                  "Reference images at most, 6 to 127; 0 = as many as it is worth")
+      ->check(CLI::Range(0U, 127U))
+      ->capture_default_str();
+  command
+      .add_option("--image-size", options.image_size,
+                  "Pixels along a side of the reference images, 0 = as fine as the voxels")
+      ->check(CLI::Range(0U, 4096U))
+      ->capture_default_str();
+  command.add_option("--target-size", options.target_size,
+                     "Bytes of coded octree and JPEG pictures together: finds the quality");
+  command.add_option("--target-psnr", options.target_psnr,
+                     "dB of the used pixels of JPEG pictures: finds the quality");
+  command
+      .add_option("--cube", options.cube,
+                  "X Y Z SIDE: centre and side of the cube to build in, in the scene; default: "
+                  "around the model, or the cube of the OctreeImage given")
+      ->expected(4);
 }
 
 }  // namespace
 
 void add_build(CLI::App& program, Session& session) {
   auto options = std::make_shared<BuildCommand>();
-  CLI::App* command =
-      program.add_subcommand("build", "Mesh or point cloud -> scene with an OctreeImage");
-  command
-      ->add_option("INPUT", options->inputs,
-                   "Mesh (.obj .ply .gltf .glb .dae .stl ...) or coloured points (.ply)")
-      ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "The scene (.wrl .bt); its pictures are written beside it")
-      ->required();
-  command->add_option("--resolution", options->resolution, "Voxels along the longest side")
-      ->check(CLI::Range(1U, kMaxBuildResolution))
-      ->capture_default_str();
-  command
-      ->add_option("--image-size", options->image_size,
-                   "Pixels along a side of the reference images, 0 = as fine as the voxels")
-      ->check(CLI::Range(0U, 4096U))
-      ->capture_default_str();
-  command->add_option("--image-format", options->image_format, "Format of the reference images")
-      ->check(CLI::IsMember({"png", "jpeg"}))
-      ->capture_default_str();
-  command->add_option("--jpeg-quality", options->jpeg_quality, "Quality of JPEG images")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--up", options->up,
-          "Axis of the input that points up: y (default) or z, as most scans, CAD and .stl "
-          "files have it")
-      ->check(CLI::IsMember({"y", "z"}));
-  command
-      ->add_option(
-          "--shade", options->shade,
-          "Soft light painted into the colours: auto = where the model has none of its own")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  CLI::App* command = program.add_subcommand(
+      "build", "Mesh, points, RGB-D pictures or another scene -> scene of DIBR nodes");
+  add_common_forms(*command, *options);
+  add_camera_options(*command, *options);
+  add_octree_options(*command, *options);
   add_common_options(*command, session, {.outputs = true, .progress = true});
   command->callback([options, &session] {
     session.command = "build";

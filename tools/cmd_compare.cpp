@@ -11,8 +11,10 @@
 #include "afx/picture_compare.h"
 #include "afx/picture_io.h"
 #include "codec/octree_voxels.h"
+#include "nodes/traversal.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/model_compare.h"
 #include "tools/scene_input.h"
 #include "tools/session.h"
 
@@ -23,6 +25,8 @@ using Json = nlohmann::ordered_json;
 
 struct CompareOptions {
   std::string inputs[2];
+  ModelCompareOptions models;
+  bool exact = false;
   std::optional<uint32_t> resolution;
   std::string node;
   std::string input_format;
@@ -212,15 +216,57 @@ int report(const Verdict& verdict, const Session& session) {
   return verdict.different ? kDifferent : kDone;
 }
 
+/// Kinds that are never equal to anything but can be measured.
+bool is_measured_only(Kind kind) { return kind == Kind::model || kind == Kind::json; }
+
 bool is_scene(Kind kind) { return is_text_scene(kind) || is_coded_scene(kind); }
 
-int compare_scene_files(const Input& a, const Input& b, const Session& session,
-                        Diagnostics (&diagnostics)[2]) {
+/// Whether all errors of a distance are 0 (a PSNR that is infinite is null).
+bool no_difference(const Json& json) {
+  const auto is_infinite = [&json](const char* name) {
+    return !json.contains(name) || json[name].is_null();
+  };
+  return json["hausdorff"] == 0.0 && is_infinite("colour") && is_infinite("psnr");
+}
+
+/// How far apart two models are, whose sameness is judged by that if `known` says nothing of it.
+int measure_models(const CompareOptions& options, const Session& session,
+                   const std::optional<Verdict>& known, Diagnostics (&diagnostics)[2]) {
+  const auto distance =
+      compare_models(options.inputs[0], options.inputs[1], options.models, session, diagnostics);
+  if (!distance.ok()) return session.fail(distance.error(), options.inputs[0]);
+  Verdict verdict =
+      known ? *known
+            : (no_difference(distance.value().json) ? same("nothing that was measured differs")
+                                                    : differ("the models differ"));
+  verdict.json.update(distance.value().json);
+  for (const std::string& line : distance.value().lines)
+    verdict.text += (verdict.text.empty() ? "" : "\n") + line;
+  const auto& limits = options.models.limits;
+  if (limits.empty()) return report(verdict, session);
+  const std::vector<std::string> broken = broken_limits(limits, verdict.json);
+  verdict.different = !broken.empty();
+  verdict.json["broken"] = broken;
+  for (const std::string& text : broken) verdict.text += "\nbeyond the limit: " + text;
+  return report(verdict, session);
+}
+
+bool has_dibr_nodes(const nodes::Scene& scene) {
+  const auto objects = nodes::find_dibr_objects(scene);
+  return objects.ok() && !objects.value().empty();
+}
+
+int compare_scene_files(const Input& a, const Input& b, const CompareOptions& options,
+                        const Session& session, Diagnostics (&diagnostics)[2]) {
   const auto first = read_plain_scene(a, session.limits, diagnostics[0]);
   if (!first.ok()) return session.fail(first.error(), a.path);
   const auto second = read_plain_scene(b, session.limits, diagnostics[1]);
   if (!second.ok()) return session.fail(second.error(), b.path);
-  return report(compare_scenes(first.value(), second.value()), session);
+  const Verdict verdict = compare_scenes(first.value(), second.value());
+  const bool measurable = has_dibr_nodes(first.value()) && has_dibr_nodes(second.value());
+  if (!verdict.different || options.exact || !measurable) return report(verdict, session);
+  Diagnostics again[2];  // the warnings of reading are known already
+  return measure_models(options, session, verdict, again);
 }
 
 int compare_octree_files(const Input& a, const Input& b, const CompareOptions& options,
@@ -247,7 +293,9 @@ int compare_inputs(const Input& a, const Input& b, const CompareOptions& options
     return verdict.ok() ? report(verdict.value(), session) : session.fail(verdict.error(), a.path);
   }
   if (is_scene(a.kind) && is_scene(b.kind) && options.node.empty())
-    return compare_scene_files(a, b, session, diagnostics);
+    return compare_scene_files(a, b, options, session, diagnostics);
+  if (is_measured_only(a.kind) || is_measured_only(b.kind))
+    return measure_models(options, session, {}, diagnostics);
   return compare_octree_files(a, b, options, session, diagnostics);
 }
 
@@ -255,6 +303,8 @@ int compare(const CompareOptions& options, const Session& session) {
   constexpr const char* kInputs[] = {"afx", "oct", "wrl", "bt", "png"};
   if (const int code = check_input_format(session, options.input_format, kInputs); code != kDone)
     return code;
+  if (const std::string wrong = check_limits(options.models.limits); !wrong.empty())
+    return session.usage(wrong);
   Diagnostics diagnostics[2];
   const auto a =
       open_input(options.inputs[0], options.input_format, session.limits, diagnostics[0]);
@@ -279,15 +329,39 @@ int compare(const CompareOptions& options, const Session& session) {
 void add_compare(CLI::App& program, Session& session) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = program.add_subcommand(
-      "compare", "Are two files the same model or picture; exit code 4 if not");
+      "compare",
+      "Are two files the same model or picture, and if not, how far apart; exit code 4 "
+      "if not");
   command
       ->add_option("A", options->inputs[0],
-                   "Scene text, stream (.afx), raw octree (.oct) or picture")
+                   "Scene, stream (.afx), raw octree (.oct), mesh, points, RGB-D pictures (.json) "
+                   "or picture; where they are measured, the reference")
       ->required();
   command
       ->add_option("B", options->inputs[1],
-                   "The other; two scenes are compared whole, anything else by OctreeImage fields")
+                   "The other; two scenes are compared whole, streams and octrees by their fields")
       ->required();
+  command
+      ->add_option("--max-error", options->models.limits,
+                   "NAME=NUMBER, also several: exit code 0 if all are kept. At most: d1, d2, "
+                   "hausdorff (parts of A's longest side); at least: colour, psnr (dB), ssim")
+      ->expected(1)
+      ->take_all();
+  command->add_flag("--exact", options->exact, "Scenes: only whether they are the same");
+  command->add_option("--views", options->models.views, "Pictures that models are compared by")
+      ->check(CLI::Range(0U, 360U))
+      ->capture_default_str();
+  command->add_option("--size", options->models.size, "Width and height of these pictures")
+      ->check(CLI::Range(16U, 4096U))
+      ->capture_default_str();
+  command->add_option("--points", options->models.points, "Points that a mesh is sampled at")
+      ->check(CLI::Range(size_t{1}, size_t{100000000}))
+      ->capture_default_str();
+  command
+      ->add_option("--shade", options->models.shade,
+                   "Light painted on meshes, as build does: auto, always or never")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
   command->add_option("--resolution", options->resolution, "octreeResolution of raw octrees")
       ->check(CLI::Range(1U, 2147483647U));
   command->add_option("--node", options->node, "DEF name of the OctreeImage to compare");

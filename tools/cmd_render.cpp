@@ -4,17 +4,14 @@
 #include <charconv>
 #include <chrono>
 #include <glm/trigonometric.hpp>
-#include <list>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "afx/file.h"
-#include "afx/octree_colours.h"
 #include "afx/picture_io.h"
-#include "nodes/traversal.h"
 #include "render/renderer.h"
 #include "tools/commands.h"
+#include "tools/drawing.h"
 #include "tools/input.h"
 #include "tools/scene_input.h"
 #include "tools/session.h"
@@ -41,96 +38,15 @@ struct RenderCommand {
   int jpeg_quality = 90;
 };
 
-/// Coloured voxels with the matrices that place them. In a list, because clouds point into them.
-struct Drawn {
-  std::list<ColouredVoxels> voxels;
-  std::map<uint32_t, const ColouredVoxels*> of_node;  ///< those of nodes that USE may show again
-  render::Scene scene;
-  Limits left;  ///< what is left of them
-
-  void place(const ColouredVoxels& cloud, const glm::dmat4& to_world) {
-    scene.voxels.push_back({cloud.level, cloud.codes, cloud.colours, to_world});
-  }
-};
-
-/// Colours a model; the voxels stay in `drawn`.
-Result<const ColouredVoxels*> colour(const OctreeModel& model, const RenderCommand& command,
-                                     const Session& session, Diagnostics& diagnostics,
-                                     Drawn& drawn) {
-  const unsigned level = std::min(command.level, octree_levels(model.resolution));
-  auto coloured = colour_octree(model, level, session.options.threads, drawn.left, diagnostics);
-  if (!coloured.ok()) return std::move(coloured).error();
-  drawn.voxels.push_back(std::move(coloured).value());
-  const ColouredVoxels& voxels = drawn.voxels.back();
-  const uint64_t bytes = voxels.codes.size() * (sizeof(uint64_t) + sizeof(Rgba8) + sizeof(uint8_t));
-  drawn.left.memory -= std::min(drawn.left.memory, bytes);
-  return &voxels;
-}
-
-/// Draws an OctreeImage of a scene; one that stands in several places is coloured once. (Not so in
-/// a PROTO: there its fields may be other ones in each instance.)
-Status draw_node(const nodes::DibrObject& object, const UrlBase& base, const RenderCommand& command,
-                 const Session& session, Diagnostics& diagnostics, Drawn& drawn) {
-  const nodes::NodeView& view = object.nodes.front();
-  if (const auto known = drawn.of_node.find(view.id().value); known != drawn.of_node.end()) {
-    drawn.place(*known->second, object.to_world);
-    return {};
-  }
-  const auto model = read_octree_model(view, base, drawn.left, diagnostics);
-  if (!model.ok()) return model.error();
-  const auto voxels = colour(model.value(), command, session, diagnostics, drawn);
-  if (!voxels.ok()) return voxels.error();
-  if (view.node().scope == nodes::Scene::kMain) drawn.of_node[view.id().value] = voxels.value();
-  drawn.place(*voxels.value(), object.to_world);
-  return {};
-}
-
-/// Warns of what the scene has and this version does not draw.
-void warn_of_undrawn(const nodes::Scene& scene, size_t depth_images, Diagnostics& diagnostics) {
-  std::map<std::string, size_t> left_out;
-  if (depth_images > 0) left_out["DepthImage"] = depth_images;
-  for (uint32_t i = 0; i < scene.node_count(); ++i) {
-    const nodes::NodeId id(i);
-    const std::string& type = scene.type_name(id);
-    if (scene.node(id).scope != nodes::Scene::kMain || (type != "Shape" && type != "Inline"))
-      continue;
-    if (nodes::NodeView(scene, id).child("geometry").type() == "BitWrapper") continue;
-    ++left_out[type];
-  }
-  for (const auto& [type, count] : left_out) {
-    diagnostics.warn("not_drawn", Place::none(),
-                     counted(count, type) + (count == 1 ? " is" : " are") +
-                         " left out: this version draws OctreeImages");
-  }
-}
-
-Status draw_scene(const Input& input, const RenderCommand& command, const Session& session,
-                  Diagnostics& diagnostics, Drawn& drawn) {
+Status draw_scene(const Input& input, const Session& session, Diagnostics& diagnostics,
+                  Drawing& drawn) {
   const auto scene = read_scene(input, session.limits, diagnostics);
   if (!scene.ok()) return scene.error();
-  const auto objects = nodes::find_dibr_objects(scene.value().scene);
-  if (!objects.ok()) return objects.error();
-  size_t depth_images = 0;
-  Status status;
-  for (const nodes::DibrObject& object : objects.value()) {
-    if (!status.ok()) break;
-    if (object.kind == nodes::DibrObject::Kind::octree_image) {
-      status = draw_node(object, scene.value().base(), command, session, diagnostics, drawn);
-    } else {
-      depth_images += object.nodes.size();
-    }
-  }
-  if (!status.ok()) return status;
-  warn_of_undrawn(scene.value().scene, depth_images, diagnostics);
-  if (drawn.voxels.empty()) {
-    return Error{Errc::malformed, Place::none(),
-                 "the scene shows nothing to draw (expected an OctreeImage)"};
-  }
-  return {};
+  return drawn.add(scene.value());
 }
 
 Status draw_octree(const Input& input, const RenderCommand& command, const Session& session,
-                   Diagnostics& diagnostics, Drawn& drawn, bool& missing_is_usage) {
+                   Diagnostics& diagnostics, Drawing& drawn, bool& missing_is_usage) {
   OctreeQuery query{.node = {}, .resolution = command.resolution, .frame = command.frame};
   auto octree = read_octree(input, query, session.limits, diagnostics);
   missing_is_usage = query.missing_is_usage;
@@ -141,10 +57,14 @@ Status draw_octree(const Input& input, const RenderCommand& command, const Sessi
                      "a stream alone has no pictures: the model is drawn grey");
     model.fields.voxel_image_index.clear();
   }
-  const auto voxels = colour(model, command, session, diagnostics, drawn);
-  if (!voxels.ok()) return voxels.error();
-  drawn.place(*voxels.value(), glm::dmat4(1));
-  return {};
+  return drawn.add(model, glm::dmat4(1));
+}
+
+Status draw_model(const RenderCommand& command, const Session& session, Diagnostics& diagnostics,
+                  Drawing& drawn) {
+  auto model = read_model_input(command.input, session, diagnostics);
+  if (!model.ok()) return std::move(model).error();
+  return drawn.add(std::move(model).value(), Shade::automatic);
 }
 
 /// "640x480".
@@ -182,19 +102,18 @@ Picture without_alpha(const Picture& picture) {
   return rgb;
 }
 
-Result<render::RenderedImage> render_drawn(const Drawn& drawn, const RenderCommand& command,
-                                           const render::RenderOptions& options,
-                                           const Limits& limits) {
+Result<render::RenderedImage> render_drawn(const Drawing& drawn, const RenderCommand& command,
+                                           const render::RenderOptions& options) {
   render::View view;
   view.azimuth = glm::radians(command.azimuth);
   view.elevation = glm::radians(command.elevation);
   view.field_of_view = glm::radians(command.field_of_view);
   view.margin = command.margin;
   if (command.orthographic) view.projection = render::Projection::orthographic;
-  const auto camera = render::fit_camera(render::outline(drawn.scene), view,
-                                         double{1} * options.width / options.height);
+  const auto camera =
+      render::fit_camera(drawn.outline(), view, double{1} * options.width / options.height);
   if (!camera.ok()) return camera.error();
-  return render::render(drawn.scene, camera.value(), options, limits);
+  return drawn.draw(camera.value(), options);
 }
 
 int read_options(const RenderCommand& command, const std::string& format, const Session& session,
@@ -233,20 +152,24 @@ int check_command(const RenderCommand& command, const OutputFiles& outputs, cons
 }
 
 /// Reads the input into `drawn`; returns an exit code.
-int read_input(const RenderCommand& command, const Session& session, Drawn& drawn) {
-  Diagnostics diagnostics;
+int read_input(const RenderCommand& command, const Session& session, Diagnostics& diagnostics,
+               Drawing& drawn) {
   const auto input = open_input(command.input, command.input_format, session.limits, diagnostics);
   if (!input.ok()) return session.fail(input.error(), command.input, diagnostics);
   const std::string useless =
       useless_option({.node = {}, .resolution = command.resolution, .frame = command.frame},
                      {&input.value().kind, 1});
   if (!useless.empty()) return session.usage(useless);
-  drawn.left = session.limits;
   bool missing_is_usage = false;
-  const Status read =
-      is_text_scene(input.value().kind) || is_coded_scene(input.value().kind)
-          ? draw_scene(input.value(), command, session, diagnostics, drawn)
-          : draw_octree(input.value(), command, session, diagnostics, drawn, missing_is_usage);
+  const Kind kind = input.value().kind;
+  Status read;
+  if (is_text_scene(kind) || is_coded_scene(kind)) {
+    read = draw_scene(input.value(), session, diagnostics, drawn);
+  } else if (kind == Kind::model || kind == Kind::json) {
+    read = draw_model(command, session, diagnostics, drawn);
+  } else {
+    read = draw_octree(input.value(), command, session, diagnostics, drawn, missing_is_usage);
+  }
   if (read.ok()) return session.warn(diagnostics, command.input);
   session.show(diagnostics, command.input);
   return session.fail_query(read.error(), missing_is_usage, command.input);
@@ -258,11 +181,13 @@ int run_render(const RenderCommand& command, const Session& session) {
   render::RenderOptions options;
   if (const int code = check_command(command, outputs, session, format, options); code != kDone)
     return code;
-  Drawn drawn;
-  if (const int code = read_input(command, session, drawn); code != kDone) return code;
+  Diagnostics diagnostics;
+  Drawing drawn(session, diagnostics);
+  drawn.set_level(command.level);
+  if (const int code = read_input(command, session, diagnostics, drawn); code != kDone) return code;
 
   const auto start = std::chrono::steady_clock::now();
-  const auto image = render_drawn(drawn, command, options, session.limits);
+  const auto image = render_drawn(drawn, command, options);
   if (!image.ok()) return session.fail(image.error(), command.input);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -274,17 +199,15 @@ int run_render(const RenderCommand& command, const Session& session) {
     if (Status put = outputs.put(command.output, bytes.value()); !put.ok())
       return session.fail(put.error(), command.output);
   }
-  uint64_t voxels = 0;
-  for (const render::VoxelCloud& cloud : drawn.scene.voxels) voxels += cloud.codes.size();
   return session.finish(
       outputs, command.output,
       {command.output + ": " + std::to_string(options.width) + " x " +
-       std::to_string(options.height) + ", " + counted(voxels, "voxel") +
+       std::to_string(options.height) + ", " + drawn.size() +
        (session.options.verbose ? " drawn in " + fixed(seconds * 1000, 1) + " ms" : "")},
       {{"output", command.output},
        {"width", options.width},
        {"height", options.height},
-       {"voxels", voxels}});
+       {"voxels", drawn.voxels()}});
 }
 
 }  // namespace
@@ -296,10 +219,13 @@ void add_render(CLI::App& program, Session& session) {
   options->elevation = glm::degrees(view.elevation);
   options->field_of_view = glm::degrees(view.field_of_view);
   options->margin = view.margin;
-  CLI::App* command = program.add_subcommand("render", "Scene, stream or raw octree -> picture");
+  CLI::App* command =
+      program.add_subcommand("render", "Scene, stream, raw octree, mesh or points -> picture");
   command
-      ->add_option("IN", options->input,
-                   "Scene text, stream (.afx) or raw octree (.oct); - = standard input")
+      ->add_option(
+          "IN", options->input,
+          "Scene, stream (.afx), raw octree (.oct), mesh, points (.ply) or RGB-D pictures (.json); "
+          "- = standard input")
       ->required();
   command
       ->add_option("-o,--output", options->output,

@@ -6,6 +6,7 @@ build_packages=(g++ cmake ninja-build libglm-dev libopenimageio-dev openimageio-
 test_packages=(pkg-config libgtest-dev libgmock-dev libbenchmark-dev zlib1g-dev ffmpeg
   clang-14 libclang-rt-14-dev)
 demo_packages=(assimp-testmodels)
+table_packages=(assimp-testmodels assimp-utils draco jq time zip)
 
 # Installs those of the packages named that are missing.
 need_packages() {

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Runs of the program that build models in every form, convert them and compare them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tools/program_fixture.h"
+
+namespace afx::tools {
+namespace {
+
+using nlohmann::json;
+
+/// A tetrahedron: four sides that face in slanting directions.
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+class BuildProgram : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    write_file(file("t.obj"), kTetrahedron);
+  }
+  /// The JSON result of a run that must succeed.
+  [[nodiscard]] json result(const std::string& words, int code = 0) const {
+    const Outcome outcome = run(words + " --json");
+    EXPECT_EQ(outcome.code, code) << words << "\n" << outcome.err;
+    return json::parse(outcome.out, nullptr, false);
+  }
+};
+
+TEST_F(BuildProgram, EveryFormIsNearTheMesh) {
+  for (const std::string form : {"depth", "points", "octree"}) {
+    const std::string scene = form + ".wrl";
+    (void)result("build t.obj -o " + scene + " --as " + form + " --resolution 64");
+    // Half a voxel or pixel is 1/128 of the longest side.
+    const json distance = result("compare t.obj " + scene + " --views 2 --size 64 --points 100000", 4);
+    EXPECT_LT(distance.at("d1"), 1.0 / 64) << form;
+    EXPECT_LT(distance.at("hausdorff"), 3.0 / 64) << form;
+    EXPECT_GT(distance.at("psnr"), 20) << form;
+    EXPECT_EQ(run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.02").code, 0);
+    const Outcome beyond = run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.00001");
+    EXPECT_EQ(beyond.code, 4);
+    EXPECT_THAT(beyond.out, HasSubstr("beyond the limit: d1 is 0.0"));
+    EXPECT_EQ(run("render " + scene + " --size 32x32 -o " + form + ".png").code, 0);
+    EXPECT_EQ(run("encode " + scene + " -o " + form + ".mp4").code, 0);
+    EXPECT_EQ(run("compare --exact " + scene + " " + form + ".mp4").code, 0) << form;
+  }
+}
+
+TEST_F(BuildProgram, DepthImagesGoToPointsAndBackToTheSamePixels) {
+  (void)result("build t.obj -o a.wrl --as depth --views 1 --resolution 40");
+  (void)result("build a.wrl -o b.wrl --as depth --views a.wrl");
+  EXPECT_EQ(read_file(file("a_view01_depth.png")), read_file(file("b_view01_depth.png")));
+  EXPECT_EQ(read_file(file("a_view01.png")), read_file(file("b_view01.png")));
+}
+
+TEST_F(BuildProgram, PointTexturesGoToPointsAndBackEqual) {
+  (void)result("build t.obj -o a.wrl --as points --resolution 40 --depth-bits 12");
+  (void)result("build a.wrl -o b.wrl --as points --views a.wrl --depth-bits 12");
+  EXPECT_EQ(run("compare --exact a.wrl b.wrl").code, 0);
+}
+
+TEST_F(BuildProgram, OctreesGoToPointsAndBackWithTheSameOctree) {
+  (void)result("build t.obj -o a.wrl --resolution 50");
+  (void)result("build a.wrl -o b.wrl");
+  ASSERT_EQ(run("encode a.wrl -o a.afx").code, 0);
+  ASSERT_EQ(run("encode b.wrl -o b.afx").code, 0);
+  ASSERT_EQ(run("decode a.afx -o a.oct").code, 0);
+  ASSERT_EQ(run("decode b.afx -o b.oct").code, 0);
+  EXPECT_EQ(read_file(file("a.oct")), read_file(file("b.oct")));
+  EXPECT_GT(read_file(file("a.oct")).size(), 100U);
+}
+
+TEST_F(BuildProgram, EveryFormConvertsIntoEveryOther) {
+  for (const std::string from : {"depth", "points", "octree"}) {
+    (void)result("build t.obj -o " + from + ".wrl --as " + from + " --resolution 48");
+    for (const std::string to : {"depth", "points", "octree"}) {
+      const std::string scene = from + "_" + to + ".wrl";
+      (void)result("build " + from + ".wrl -o " + scene + " --as " + to + " --resolution 48");
+      const json distance = result("compare t.obj " + scene + " --views 0 --points 100000", 4);
+      EXPECT_LT(distance.at("d1"), 2.0 / 48) << scene;
+    }
+  }
+}
+
+TEST_F(BuildProgram, ViewsAreANumberAutomaticOrAFile) {
+  EXPECT_EQ(result("build t.obj -o a.wrl --as depth --views 21 --resolution 16").at("views"), 21);
+  const json automatic =
+      result("build t.obj -o b.wrl --as depth --views auto --resolution 16 --perspective");
+  EXPECT_GE(automatic.at("views"), 4);
+  EXPECT_GT(automatic.at("coverage"), 0.99);
+  write_file(file("c.json"), R"({"cameras": [{"position": [0, 0, 3], "fieldOfView": [2, 2],
+ "nearPlane": 1, "farPlane": 4, "width": 10, "height": 12}]})");
+  const json given = result("build t.obj -o c.wrl --as depth --views c.json");
+  EXPECT_EQ(given.at("pixels"), 120);
+  write_file(file("bad.json"), R"({"cameras": [{"width": 10}]})");
+  EXPECT_EQ(run("build t.obj -o d.wrl --as depth --views bad.json").err,
+            "afx: bad.json: cameras[0].position is missing\n");
+  EXPECT_EQ(run("build t.obj -o d.wrl --as depth --views 256").err,
+            "afx: t.obj: --views is 256 (expected 1 to 255, auto or a file)\n");
+}
+
+TEST_F(BuildProgram, DepthMayStandInTheAlphaChannel) {
+  const json alpha =
+      result("build t.obj -o a.wrl --as depth --resolution 16 --depth-in-alpha --depth-bits 8");
+  EXPECT_EQ(alpha.at("pictures"), 6);
+  EXPECT_EQ(result("info a_front.png").at("components"), 4);
+  (void)result("build t.obj -o b.wrl --as depth --resolution 16 --depth-bits 8");
+  const json distance = result("compare a.wrl b.wrl --views 0", 4);  // other nodes, same model
+  EXPECT_EQ(distance.at("d1"), 0);
+  EXPECT_EQ(distance.at("colour"), nullptr);
+}
+
+TEST_F(BuildProgram, TheSameInputGivesTheSameBytesForAnyNumberOfThreads) {
+  for (const std::string form : {"depth --views auto", "points", "octree"}) {
+    (void)result("build t.obj -o one.wrl -f --threads 1 --resolution 40 --as " + form);
+    const std::string text = read_file(file("one.wrl"));
+    const std::string picture = read_file(file("one_front.png"));
+    (void)result("build t.obj -o one.wrl -f --threads 3 --resolution 40 --as " + form);
+    EXPECT_EQ(read_file(file("one.wrl")), text) << form;
+    EXPECT_EQ(read_file(file("one_front.png")), picture) << form;
+  }
+}
+
+TEST_F(BuildProgram, ATargetIsReachedOrTheErrorSaysWhatCanBe) {
+  const std::string jpeg = "build t.obj -o a.wrl -f --resolution 64 --image-format jpeg ";
+  const json psnr = result(jpeg + "--target-psnr 40");
+  EXPECT_GE(psnr.at("imagePsnr"), 40);
+  const uint64_t bytes = psnr.at("imageBytes").get<uint64_t>() + 4000;
+  const json size = result(jpeg + "--target-size " + std::to_string(bytes));
+  EXPECT_LE(size.at("imageBytes").get<uint64_t>(), bytes);
+  const Outcome small = run(jpeg + "--target-size 10");
+  EXPECT_EQ(small.code, 3);
+  EXPECT_THAT(small.err, HasSubstr("the octree alone takes"));
+}
+
+TEST_F(BuildProgram, ScaleFitAndUpPlaceTheModel) {
+  (void)result("build t.obj -o a.wrl --as points --resolution 16 --fit 10");
+  (void)result("build t.obj -o b.wrl --as points --resolution 16 --scale 10");
+  EXPECT_EQ(run("build t.obj -o c.wrl --fit 10 --scale 10").code, 2);
+  write_file(file("big.obj"),
+             "v -5 -5 -5\nv 5 -5 -5\nv -5 5 -5\nv -5 -5 5\n"
+             "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_LT(result("compare big.obj a.wrl --views 0", 4).at("d1"), 1.0 / 16);
+  EXPECT_GT(result("compare big.obj b.wrl --views 0", 4).at("d1"), 0.3);
+}
+
+TEST_F(BuildProgram, OptionsOfOtherFormsAreUsageErrors) {
+  for (const char* words :
+       {"--views 6x --as octree", "--depth-bits 8", "--as depth --depth-bits 9",
+        "--as points --coverage", "--as depth --images 7", "--target-size 100",
+        "--as depth --depth-in-alpha --image-format jpeg", "--cube 0 0 0 0",
+        "--image-format jpeg --target-size 9 --target-psnr 9", "--resolution 4096"})
+    EXPECT_EQ(run(std::string("build t.obj -o x.wrl ") + words).code, 2) << words;
+  EXPECT_EQ(run("compare t.obj t.obj --max-error d3=1").code, 2);
+}
+
+TEST_F(BuildProgram, AModelIsTheSameAsItself) {
+  const json same = result("compare t.obj t.obj --views 1 --size 32 --points 1000");
+  EXPECT_EQ(same.at("same"), true);
+  EXPECT_EQ(same.at("d1"), 0);
+}
+
+TEST_F(BuildProgram, MeshesAreDrawnAsTheyAre) {
+  ASSERT_EQ(run("render t.obj -o p.png --size 40x30 --azimuth 30").code, 0);
+  ASSERT_EQ(run("render t.obj -o q.png --size 40x30 --azimuth 30 --threads 1").code, 0);
+  EXPECT_EQ(read_file(file("p.png")), read_file(file("q.png")));
+}
+
+}  // namespace
+}  // namespace afx::tools

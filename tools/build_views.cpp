@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "tools/build_views.h"
+
+#include <charconv>
+#include <utility>
+
+#include "afx/builder/camera_list.h"
+#include "afx/builder/mesh_surfels.h"
+#include "afx/builder/view_plan.h"
+#include "afx/builder/view_sources.h"
+#include "tools/input.h"
+#include "tools/scene_input.h"
+
+namespace afx::tools {
+namespace {
+
+Error in_file(Error error, const std::string& file) {
+  if (error.file.empty()) error.file = file;
+  return error;
+}
+
+Result<std::vector<Shot>> cameras_of_scene(const Input& input, const BuildJob& job) {
+  const auto scene = read_scene(input, job.session.limits, job.diagnostics);
+  if (!scene.ok()) return scene.error();
+  const auto models = read_dibr_models(scene.value().scene, scene.value().base(),
+                                       job.session.limits, job.diagnostics);
+  if (!models.ok()) return models.error();
+  std::vector<Shot> shots;
+  for (const DibrModel& model : models.value()) {
+    const auto* images = std::get_if<std::vector<DepthImage>>(&model.shape);
+    if (images == nullptr) continue;
+    if (model.to_world != glm::dmat4(1))
+      return Error{Errc::unsupported, Place::none(),
+                   "its DepthImages stand under a Transform that moves them (expected cameras in "
+                   "the coordinates of the scene)"};
+    for (const DepthImage& image : *images)
+      shots.push_back({image.camera, image.width(), image.height()});
+  }
+  if (shots.empty())
+    return Error{Errc::bad_argument, Place::none(), "has no DepthImages to take cameras from"};
+  return shots;
+}
+
+Result<std::vector<Shot>> cameras_of_file(const std::string& path, const BuildJob& job) {
+  const auto input = open_input(path, {}, job.session.limits, job.diagnostics);
+  if (!input.ok()) return input.error();
+  if (is_text_scene(input.value().kind) || is_coded_scene(input.value().kind))
+    return cameras_of_scene(input.value(), job);
+  const std::span<const uint8_t> bytes = input.value().file.bytes();
+  return read_camera_list({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LookedAt>> LookedAt::of(ModelInput&& model, const BuildJob& job) {
+  auto looked_at = std::make_unique<LookedAt>();
+  const unsigned threads = job.session.options.threads;
+  if (auto* mesh = std::get_if<Mesh>(&model)) {
+    looked_at->mesh_ = std::move(*mesh);
+    looked_at->look_.emplace(*looked_at->mesh_, job.command.shading());
+    looked_at->views_ = std::make_unique<MeshViews>(*looked_at->look_, threads, job.session.limits);
+    return looked_at;
+  }
+  auto surfels = surfels_of_input(std::move(model), job.session, job.diagnostics);
+  if (!surfels.ok()) return std::move(surfels).error();
+  looked_at->surfels_ = std::move(surfels).value();
+  looked_at->views_ =
+      std::make_unique<SurfelViews>(looked_at->surfels_, threads, job.session.limits);
+  return looked_at;
+}
+
+Result<Surfels> LookedAt::surfels(uint32_t resolution, const BuildJob& job) && {
+  if (!look_) return std::move(surfels_);
+  return surfels_of(*look_, resolution, job.session.options.threads, job.session.limits);
+}
+
+Result<ViewsOption> read_views_option(const BuildJob& job) {
+  const std::string& text = job.command.views;
+  ViewsOption option;
+  if (text == "auto") return option;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), option.count);
+  if (parsed.ptr == text.data() + text.size()) {
+    if (parsed.ec == std::errc() && option.count >= 1 && option.count <= kMostViews) return option;
+    return Error{Errc::bad_argument, Place::none(),
+                 "--views is " + text + " (expected 1 to 255, auto or a file)"};
+  }
+  auto shots = cameras_of_file(text, job);
+  if (!shots.ok()) return in_file(std::move(shots).error(), text);
+  option.shots = std::move(shots).value();
+  return option;
+}
+
+}  // namespace afx::tools

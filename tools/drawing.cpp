@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "tools/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "afx/depth_image_nodes.h"
+#include "afx/surfel_sources.h"
+
+namespace afx::tools {
+namespace {
+
+/// Warns of what the scene has and this version does not draw.
+void warn_of_undrawn(const nodes::Scene& scene, Diagnostics& diagnostics) {
+  std::map<std::string, size_t> left_out;
+  for (uint32_t i = 0; i < scene.node_count(); ++i) {
+    const nodes::NodeId id(i);
+    const std::string& type = scene.type_name(id);
+    if (scene.node(id).scope != nodes::Scene::kMain || (type != "Shape" && type != "Inline"))
+      continue;
+    if (nodes::NodeView(scene, id).child("geometry").type() == "BitWrapper") continue;
+    ++left_out[type];
+  }
+  for (const auto& [type, count] : left_out) {
+    diagnostics.warn("not_drawn", Place::none(),
+                     counted(count, type) + (count == 1 ? " is" : " are") +
+                         " left out: this version draws DepthImages and OctreeImages");
+  }
+}
+
+DepthCamera depth_camera(const render::Camera& camera, const render::RenderOptions& options,
+                         double far) {
+  const double aspect = static_cast<double>(options.width) / options.height;
+  DepthCamera result;
+  result.position = camera.position;
+  result.orientation = camera.orientation;
+  result.orthographic = camera.projection == render::Projection::orthographic;
+  result.near_plane = camera.near_plane;
+  result.far_plane = far;
+  if (result.orthographic) {
+    result.field_of_view = {camera.view_height * aspect, camera.view_height};
+  } else {
+    const double slope = std::tan(camera.field_of_view / 2);
+    result.field_of_view = {2 * std::atan(slope * aspect), camera.field_of_view};
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<const ColouredVoxels*> Drawing::colour(const OctreeModel& model) {
+  const unsigned level = std::min(level_, octree_levels(model.resolution));
+  auto coloured = colour_octree(model, level, session_.options.threads, left_, diagnostics_);
+  if (!coloured.ok()) return std::move(coloured).error();
+  voxels_.push_back(std::move(coloured).value());
+  const ColouredVoxels& voxels = voxels_.back();
+  const uint64_t bytes = voxels.codes.size() * (sizeof(uint64_t) + sizeof(Rgba8) + sizeof(uint8_t));
+  left_.memory -= std::min(left_.memory, bytes);
+  return &voxels;
+}
+
+/// An OctreeImage that stands in several places is coloured once. (Not so in a PROTO: there its
+/// fields may be other ones in each instance.)
+Status Drawing::add_octree_node(const nodes::DibrObject& object, const UrlBase& base) {
+  const nodes::NodeView& view = object.nodes.front();
+  const auto known = of_node_.find(view.id().value);
+  const ColouredVoxels* voxels = known == of_node_.end() ? nullptr : known->second;
+  if (voxels == nullptr) {
+    const auto model = read_octree_model(view, base, left_, diagnostics_);
+    if (!model.ok()) return model.error();
+    const auto coloured = colour(model.value());
+    if (!coloured.ok()) return coloured.error();
+    voxels = coloured.value();
+    if (view.node().scope == nodes::Scene::kMain) of_node_[view.id().value] = voxels;
+  }
+  place(*voxels, object.to_world);
+  return {};
+}
+
+Status Drawing::add_depth_images(const nodes::DibrObject& object, const UrlBase& base) {
+  for (const nodes::NodeView& node : object.nodes) {
+    auto image = read_depth_image(node, base, left_, diagnostics_);
+    if (!image.ok()) return std::move(image).error();
+    std::vector<DepthImage> one;
+    one.push_back(std::move(image).value());
+    if (Status added = add(one, object.to_world); !added.ok()) return added;
+  }
+  return {};
+}
+
+void Drawing::add(Surfels&& surfels, const glm::dmat4& to_world) {
+  left_.memory -= std::min(left_.memory, surfels.size() * kSurfelBytes);
+  surfels_.push_back(std::move(surfels));
+  scene_.surfels.push_back({&surfels_.back(), to_world});
+}
+
+Status Drawing::add(const LoadedScene& scene) {
+  const auto objects = nodes::find_dibr_objects(scene.scene);
+  if (!objects.ok()) return objects.error();
+  for (const nodes::DibrObject& object : objects.value()) {
+    Status status = object.kind == nodes::DibrObject::Kind::octree_image
+                        ? add_octree_node(object, scene.base())
+                        : add_depth_images(object, scene.base());
+    if (!status.ok()) return status;
+  }
+  warn_of_undrawn(scene.scene, diagnostics_);
+  if (!voxels_.empty() || !surfels_.empty()) return {};
+  return Error{Errc::malformed, Place::none(),
+               "the scene shows nothing to draw (expected a DepthImage or an OctreeImage)"};
+}
+
+Status Drawing::add(const OctreeModel& model, const glm::dmat4& to_world) {
+  const auto coloured = colour(model);
+  if (!coloured.ok()) return coloured.error();
+  place(*coloured.value(), to_world);
+  return {};
+}
+
+void Drawing::place(const ColouredVoxels& voxels, const glm::dmat4& to_world) {
+  scene_.voxels.push_back({voxels.level, voxels.codes, voxels.colours, to_world});
+}
+
+Status Drawing::add(ModelInput&& model, Shade shade) {
+  if (auto* mesh = std::get_if<Mesh>(&model)) {
+    mesh_ = std::make_unique<Mesh>(std::move(*mesh));
+    look_ = std::make_unique<MeshLook>(*mesh_, shade);
+    return {};
+  }
+  if (const auto* models = std::get_if<std::vector<DibrModel>>(&model)) return add(*models);
+  auto surfels = surfels_of_input(std::move(model), session_, diagnostics_);
+  if (!surfels.ok()) return std::move(surfels).error();
+  add(std::move(surfels).value(), glm::dmat4(1));
+  return {};
+}
+
+Status Drawing::add(const std::vector<DibrModel>& models) {
+  for (const DibrModel& model : models) {
+    const auto* octree = std::get_if<OctreeModel>(&model.shape);
+    Status status = octree != nullptr
+                        ? add(*octree, model.to_world)
+                        : add(std::get<std::vector<DepthImage>>(model.shape), model.to_world);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+Status Drawing::add(const std::vector<DepthImage>& images, const glm::dmat4& to_world) {
+  for (const DepthImage& image : images) {
+    auto surfels = surfels_of(image, session_.options.threads, left_);
+    if (!surfels.ok()) return std::move(surfels).error();
+    add(std::move(surfels).value(), to_world);
+  }
+  return {};
+}
+
+std::vector<glm::dvec3> Drawing::outline() const {
+  if (!mesh_) return render::outline(scene_);
+  std::vector<glm::dvec3> points;
+  for (const glm::uvec3& triangle : mesh_->triangles)
+    for (int k = 0; k < 3; ++k) points.emplace_back(mesh_->positions[triangle[k]]);
+  return points;
+}
+
+Result<render::RenderedImage> Drawing::draw_mesh(const render::Camera& camera,
+                                                 const render::RenderOptions& options) const {
+  double far = 0;
+  const glm::dvec3 ahead = camera.orientation * glm::dvec3(0, 0, -1);
+  for (const glm::dvec3& point : outline())
+    far = std::max(far, glm::dot(point - camera.position, ahead));
+  const Shot shot{depth_camera(camera, options, std::max(far, camera.near_plane) * 1.01 + 1e-6),
+                  options.width, options.height};
+  // 5 and 7 samples do not divide the rows of a band.
+  const unsigned samples =
+      options.samples == 5 || options.samples == 7 ? options.samples + 1 : options.samples;
+  auto picture = draw_picture(*look_, shot, samples, options.background, session_.options.threads,
+                              session_.limits);
+  if (!picture.ok()) return std::move(picture).error();
+  return render::RenderedImage{std::move(picture).value(), {}};
+}
+
+Result<render::RenderedImage> Drawing::draw(const render::Camera& camera,
+                                            const render::RenderOptions& options) const {
+  if (mesh_) return draw_mesh(camera, options);
+  return render::render(scene_, camera, options, session_.limits);
+}
+
+uint64_t Drawing::voxels() const {
+  uint64_t voxels = 0;
+  for (const render::VoxelCloud& cloud : scene_.voxels) voxels += cloud.codes.size();
+  return voxels;
+}
+
+std::string Drawing::size() const {
+  if (mesh_) return counted(mesh_->triangles.size(), "triangle");
+  uint64_t pieces = 0;
+  for (const render::SurfelCloud& cloud : scene_.surfels) pieces += cloud.surfels->size();
+  if (pieces == 0) return counted(voxels(), "voxel");
+  if (voxels() == 0) return counted(pieces, "point");
+  return counted(voxels(), "voxel") + " and " + counted(pieces, "point");
+}
+
+}  // namespace afx::tools

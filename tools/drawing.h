@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Models of any kind, made ready to be drawn.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <list>
+#include <map>
+#include <memory>
+
+#include "afx/builder/mesh.h"
+#include "afx/builder/mesh_look.h"
+#include "afx/octree_colours.h"
+#include "afx/surfels.h"
+#include "codec/diagnostics.h"
+#include "codec/error.h"
+#include "nodes/traversal.h"
+#include "render/renderer.h"
+#include "tools/model_input.h"
+#include "tools/scene_input.h"
+#include "tools/session.h"
+
+namespace afx::tools {
+
+/// What is drawn, with all that it needs: either a mesh, as it is, or splats. Not to be moved:
+/// clouds point into it.
+class Drawing {
+ public:
+  Drawing(const Session& session, Diagnostics& diagnostics)
+      : session_(session), diagnostics_(diagnostics), left_(session.limits) {}
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+
+  /// Octrees are drawn at this level, or at their finest.
+  void set_level(unsigned level) { level_ = level; }
+
+  /// Adds what a scene shows. Warnings   not_drawn: nodes that this version does not draw
+  /// Errors  those of reading; malformed: there is nothing to draw
+  Status add(const LoadedScene& scene);
+  /// Adds an octree. to_world   from the cube of side 1 around the origin
+  Status add(const OctreeModel& model, const glm::dmat4& to_world);
+  /// Adds any model; a mesh must be the only one.
+  /// shade   for a mesh
+  Status add(ModelInput&& model, Shade shade);
+
+  /// Points that hold all of it, for render::fit_camera.
+  [[nodiscard]] std::vector<glm::dvec3> outline() const;
+
+  /// Draws it. A mesh has no depths.
+  [[nodiscard]] Result<render::RenderedImage> draw(const render::Camera& camera,
+                                                   const render::RenderOptions& options) const;
+
+  /// "1,234 voxels", "500 triangles".
+  [[nodiscard]] std::string size() const;
+  [[nodiscard]] uint64_t voxels() const;
+
+ private:
+  Status add_octree_node(const nodes::DibrObject& object, const UrlBase& base);
+  Status add_depth_images(const nodes::DibrObject& object, const UrlBase& base);
+  Result<const ColouredVoxels*> colour(const OctreeModel& model);
+  Status add(const std::vector<DibrModel>& models);
+  Status add(const std::vector<DepthImage>& images, const glm::dmat4& to_world);
+  void add(Surfels&& surfels, const glm::dmat4& to_world);
+  void place(const ColouredVoxels& voxels, const glm::dmat4& to_world);
+  [[nodiscard]] Result<render::RenderedImage> draw_mesh(const render::Camera& camera,
+                                                        const render::RenderOptions& options) const;
+
+  const Session& session_;
+  Diagnostics& diagnostics_;
+  unsigned level_ = 32;
+  Limits left_;  // of the session's
+  std::list<ColouredVoxels> voxels_;
+  std::map<uint32_t, const ColouredVoxels*> of_node_;  // those of nodes that USE may show again
+  std::list<Surfels> surfels_;
+  std::unique_ptr<Mesh> mesh_;
+  std::unique_ptr<MeshLook> look_;
+  render::Scene scene_;
+};
+
+}  // namespace afx::tools
