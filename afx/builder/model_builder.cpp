@@ -3,14 +3,12 @@
 #include "afx/builder/model_builder.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "afx/builder/exposure.h"
+#include "afx/builder/image_candidates.h"
 #include "afx/builder/image_fill.h"
 #include "afx/builder/index_choice.h"
 #include "afx/builder/reference_views.h"
@@ -24,16 +22,8 @@ namespace {
 
 constexpr unsigned kMostThreads = 4;  // each has pictures of its own
 
-// How the colour difference of a voxel becomes a cost: the squared difference, and more than that
-// once it can be seen, so that a single wrong voxel is never cheaper than a few symbols.
-constexpr double kVisible = 40;
-// Among images that show the same, the one that the surface faces: only a hint, a million voxels of
-// it weigh less than a symbol.
-constexpr double kFacing = 1e-8;
-// Voxels that nobody outside can see should have their colour too, but not at the price of many
-// symbols.
+// A voxel is off where a component is wrong by more.
 constexpr uint32_t kOff = 16;
-constexpr double kHiddenWeight = 1.0 / 64;
 
 // A decibel is worth the same everywhere, so the squared difference that a symbol of the index may
 // cost grows with what there is anyhow: this much times the mean difference of the voxels from
@@ -42,24 +32,8 @@ constexpr double kHiddenWeight = 1.0 / 64;
 constexpr double kPriceOfMean = 2;
 constexpr double kLeastPrice = 0.25;
 
-// An image from elsewhere than the sides shows few voxels that others do not, in patches, which
-// take many bytes for a pixel: it must be better by this, in squared difference, at each voxel that
-// takes it.
-constexpr double kSlanting = 24;
 // Views are tried that show this part of the exposed voxels anew.
 constexpr double kLeastGain = 1.0 / 500;
-// What such an image's bytes are worth: so much squared difference less, over all exposed voxels,
-// for the image and for each pixel of the object in it. Measured with JPEG of quality 90: it takes
-// 600 bytes and 0.28 for each of these pixels, and higher quality takes a byte for some 28. Half of
-// that is asked for: what no image shows is not only a difference.
-constexpr double kImageWorth = 8000;
-constexpr double kPixelWorth = 3;
-
-// Squared difference, in sRGB.
-int difference(const uint8_t* shown, Rgba8 own) {
-  const int r = shown[0] - own.r, g = shown[1] - own.g, b = shown[2] - own.b;
-  return r * r + g * g + b * b;
-}
 
 uint32_t worst_component(const uint8_t* shown, Rgba8 own) {
   return static_cast<uint32_t>(std::max(
@@ -70,23 +44,6 @@ uint32_t worst_component(const uint8_t* shown, Rgba8 own) {
 double psnr_of(double squared) {
   return squared > 0 ? std::min(99.0, 10 * std::log10(3 * 255.0 * 255.0 / squared)) : 99;
 }
-
-// The upper half of a float: eight bits of precision are enough for costs.
-uint16_t pack(double cost) {
-  return static_cast<uint16_t>(std::bit_cast<uint32_t>(static_cast<float>(cost)) >> 16);
-}
-double unpack(uint16_t packed) { return double{std::bit_cast<float>(uint32_t{packed} << 16)}; }
-
-// What one image would be for all voxels; the lists are by voxel.
-struct Candidate {
-  unsigned view;
-  ReferenceCamera camera;
-  std::vector<bool> seen = {};
-  std::vector<uint16_t> squared = {};  // difference, 65535 also stands for more
-  std::vector<uint16_t> costs = {};    // packed
-  double worth = 0;                    // the squared difference that it must spare, see above
-  [[nodiscard]] bool is_slanting() const { return view >= kSideViews; }
-};
 
 class ModelBuilder {
  public:
@@ -105,7 +62,8 @@ class ModelBuilder {
     report("choosing views", 0.68);
     choose_views();
     report("drawing images", 0.74);
-    parallel_for(candidates_.size(), threads_, [this](size_t k) { weigh(candidates_[k]); });
+    const JudgedVoxels judged{coordinates_, voxels_.colours, voxels_.normals, exposed_, levels_};
+    parallel_for(candidates_.size(), threads_, [&](size_t k) { weigh(candidates_[k], judged); });
     report("choosing images", 0.85);
     choose_images();
     report("drawing images", 0.93);
@@ -137,86 +95,26 @@ class ModelBuilder {
 
   // As many as there is memory for: what each voxel has for each image may take half of it.
   [[nodiscard]] unsigned most_images() const {
-    constexpr uint64_t kBytes = 2 * sizeof(uint16_t);
-    const uint64_t fit = options_.limits.memory / 2 / (voxels_.codes.size() * kBytes + 1);
+    const uint64_t fit = options_.limits.memory / 2 / (voxels_.codes.size() * kCandidateBytes + 1);
     const unsigned wanted = options_.images == 0 ? kMaxStreamTextures : options_.images;
     return static_cast<unsigned>(std::clamp<uint64_t>(fit, kSideViews, wanted));
   }
 
-  void weigh(Candidate& candidate) const {
-    const ReferenceView view(candidate.camera, levels_);
-    DrawnView drawn = draw_view(view, coordinates_, voxels_.colours);
-    const glm::vec3 to_camera(view.to_camera());
-    candidate.squared.resize(coordinates_.size());
-    candidate.costs.resize(coordinates_.size());
-    for (size_t i = 0; i < coordinates_.size(); ++i) {
-      const auto [x, y] = view.pixel(coordinates_[i]);
-      const int squared = difference(drawn.picture.pixel(x, y), voxels_.colours[i]);
-      const double facing = 1 - glm::dot(voxels_.normals[i], to_camera);
-      const double unseen = drawn.seen[i] ? 0 : 2;
-      const double weight = exposed_[i] != 0 ? 1 : kHiddenWeight;
-      const double wrong = squared + static_cast<double>(squared) * squared / kVisible +
-                           (candidate.is_slanting() ? kSlanting : 0);
-      candidate.squared[i] = static_cast<uint16_t>(std::min(squared, 0xFFFF));
-      candidate.costs[i] = pack(weight * wrong + kFacing * (facing + unseen));
-    }
-    const auto pixels = std::count(drawn.drawn.begin(), drawn.drawn.end(), true);
-    candidate.worth = kImageWorth + kPixelWorth * static_cast<double>(pixels);
-    candidate.seen = std::move(drawn.seen);
-  }
-
-  // How much squared difference each image spares the exposed voxels: how much worse they are
-  // shown by the best of the others.
-  [[nodiscard]] std::vector<double> savings() const {
-    std::vector<double> saved(candidates_.size());
-    for (size_t i = 0; i < coordinates_.size(); ++i) {
-      if (exposed_[i] == 0) continue;
-      size_t best = 0;
-      uint16_t least = 0xFFFF, second = 0xFFFF;
-      for (size_t k = 0; k < candidates_.size(); ++k) {
-        const uint16_t squared = candidates_[k].squared[i];
-        if (squared < least) {
-          second = std::exchange(least, squared);
-          best = k;
-        } else {
-          second = std::min(second, squared);
-        }
-      }
-      saved[best] += second - least;
-    }
-    return saved;
-  }
-
-  // Leaves out images that are not worth their bytes, one after the other, the worst first.
-  void drop_dear_images() {
-    while (true) {
-      const std::vector<double> saved = savings();
-      size_t worst = candidates_.size();
-      double worst_gain = 0;
-      for (size_t k = kSideViews; k < candidates_.size(); ++k) {
-        const double gain = saved[k] - candidates_[k].worth;
-        if (gain < worst_gain) worst = k, worst_gain = gain;
-      }
-      if (worst == candidates_.size()) return;
-      candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(worst));
-    }
-  }
-
   // Images that no exposed voxel takes go, and the hidden ones that took them choose again.
   void choose_images() {
-    if (options_.images == 0) drop_dear_images();
-    least_difference_ = least_difference();
+    if (options_.images == 0) drop_dear_images(candidates_, exposed_);
+    least_difference_ = least_difference(candidates_, exposed_);
     for (size_t before = 0; before != candidates_.size();) {
       before = candidates_.size();
       choose();
       const std::vector<uint64_t> users = count_users();
       size_t k = 0;
-      std::erase_if(candidates_, [&](const Candidate&) { return users[k++] == 0; });
+      std::erase_if(candidates_, [&](const ImageCandidate&) { return users[k++] == 0; });
     }
     count_seen();
-    for (Candidate& candidate : candidates_) {
+    for (ImageCandidate& candidate : candidates_) {
       candidate.squared = {};
-      candidate.costs = {};
+      candidate.packed_costs = {};
       built_.names.push_back(reference_name(candidate.view));
     }
   }
@@ -225,25 +123,13 @@ class ModelBuilder {
     choice_ = choose_index(
         voxels_.codes, levels_, static_cast<unsigned>(candidates_.size()),
         [this](size_t i, std::span<double> costs) {
-          for (size_t k = 0; k < costs.size(); ++k) costs[k] = unpack(candidates_[k].costs[i]);
+          for (size_t k = 0; k < costs.size(); ++k) costs[k] = candidates_[k].cost(i);
         },
         options_.symbol_price.value_or(usual_price()));
   }
 
   [[nodiscard]] double usual_price() const {
     return std::clamp(kPriceOfMean * least_difference_, kLeastPrice, kSymbolPrice);
-  }
-
-  // Of the exposed voxels from the images that show them best, squared, the mean.
-  [[nodiscard]] double least_difference() const {
-    double sum = 0;
-    for (size_t i = 0; i < coordinates_.size(); ++i) {
-      if (exposed_[i] == 0) continue;
-      uint16_t least = 0xFFFF;
-      for (const Candidate& candidate : candidates_) least = std::min(least, candidate.squared[i]);
-      sum += least;
-    }
-    return sum / static_cast<double>(std::count(exposed_.begin(), exposed_.end(), 1));
   }
 
   // How many exposed voxels take each image.
@@ -258,7 +144,7 @@ class ModelBuilder {
       if (exposed_[i] == 0) continue;
       ++built_.statistics.exposed;
       if (std::any_of(candidates_.begin(), candidates_.end(),
-                      [i](const Candidate& c) { return c.seen[i]; }))
+                      [i](const ImageCandidate& c) { return c.seen[i]; }))
         ++built_.statistics.seen;
     }
   }
@@ -327,7 +213,7 @@ class ModelBuilder {
       const unsigned k = choice_[i] - 1U;
       const auto [x, y] = views[k].pixel(coordinates_[i]);
       const uint8_t* shown = built_.model.images[k].picture.pixel(x, y);
-      sum += difference(shown, voxels_.colours[i]);
+      sum += squared_difference(shown, voxels_.colours[i]);
       const uint32_t worst = worst_component(shown, voxels_.colours[i]);
       statistics.worst = std::max(statistics.worst, worst);
       if (worst > kOff) ++statistics.off;
@@ -343,7 +229,7 @@ class ModelBuilder {
   unsigned threads_;
   std::vector<Voxel> coordinates_;
   std::vector<uint8_t> exposed_;
-  std::vector<Candidate> candidates_;
+  std::vector<ImageCandidate> candidates_;
   double least_difference_ = 0;
   std::vector<uint8_t> choice_;
   BuiltOctree built_;

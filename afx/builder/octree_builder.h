@@ -61,7 +61,7 @@ struct BuildStatistics {
   uint64_t used_pixels = 0;    ///< of those, the ones that exposed voxels take their colours from
   /// dB, of the exposed voxels: colours by their images against their own; 99 = equal
   double psnr = 0;
-  /// The same if each took that image of a complete set which shows it best.
+  /// The same if each took the image that shows it best as it is seen.
   double best_psnr = 0;
   uint32_t worst = 0;   ///< of the same, the greatest difference of one component, 0..255
   uint64_t off = 0;     ///< of the same, voxels with a component that differs by more than 16
