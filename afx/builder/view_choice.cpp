@@ -39,33 +39,34 @@ std::vector<Voxel> coarse_voxels(std::span<const uint64_t> codes, unsigned shift
   return voxels;
 }
 
-// Which of some voxels a camera sees.
-std::vector<bool> seen_by(const ReferenceView& view, std::span<const Voxel> all,
-                          std::span<const uint32_t> which) {
-  const FirstSeen first = first_seen(view, all);
-  std::vector<bool> seen(which.size());
-  for (size_t i = 0; i < which.size(); ++i)
-    seen[i] = is_seen(view, view.sight(all[which[i]]), first);
-  return seen;
+// Those that can be seen from outside; no others hide them.
+std::vector<Voxel> exposed_of(const std::vector<Voxel>& voxels, unsigned levels, unsigned threads) {
+  const std::vector<uint8_t> exposed = exposed_voxels(voxels, levels, threads);
+  std::vector<Voxel> result;
+  for (size_t i = 0; i < voxels.size(); ++i)
+    if (exposed[i] != 0) result.push_back(voxels[i]);
+  return result;
 }
 
+// For each camera, which of some voxels among all it sees.
 using SeenByView = std::vector<std::vector<bool>>;
-
 SeenByView seen_by_all(std::span<const ReferenceCamera> cameras, unsigned levels,
-                       std::span<const Voxel> all, std::span<const uint32_t> which,
-                       unsigned threads) {
-  SeenByView seen(cameras.size());
-  parallel_for(cameras.size(), std::min(thread_count(threads), kMostThreads),
-               [&](size_t k) { seen[k] = seen_by(ReferenceView(cameras[k], levels), all, which); });
+                       std::span<const Voxel> all, std::span<const Voxel> some, unsigned threads) {
+  SeenByView seen(cameras.size(), std::vector<bool>(some.size()));
+  parallel_for(cameras.size(), std::min(thread_count(threads), kMostThreads), [&](size_t k) {
+    const ReferenceView view(cameras[k], levels);
+    const FirstSeen first = first_seen(view, all);
+    for (size_t i = 0; i < some.size(); ++i) seen[k][i] = is_seen(view, view.sight(some[i]), first);
+  });
   return seen;
 }
 
 // The voxels that none of the views shows.
-std::vector<uint32_t> unseen_of(std::span<const uint32_t> which, const SeenByView& seen) {
-  std::vector<uint32_t> rest;
-  for (size_t i = 0; i < which.size(); ++i)
+std::vector<Voxel> unseen_of(std::span<const Voxel> voxels, const SeenByView& seen) {
+  std::vector<Voxel> rest;
+  for (size_t i = 0; i < voxels.size(); ++i)
     if (std::none_of(seen.begin(), seen.end(), [&](const auto& by) { return by[i]; }))
-      rest.push_back(which[i]);
+      rest.push_back(voxels[i]);
   return rest;
 }
 
@@ -97,17 +98,14 @@ std::vector<size_t> choose(const SeenByView& seen, size_t voxels, unsigned most,
 std::vector<glm::dvec3> choose_directions(std::span<const uint64_t> codes, unsigned levels,
                                           const ViewChoice& choice) {
   const unsigned coarse = std::min(levels, kLevels);
-  const std::vector<Voxel> voxels = coarse_voxels(codes, 3 * (levels - coarse));
-  const std::vector<uint8_t> is_exposed = exposed_voxels(voxels, coarse, choice.threads);
-  std::vector<uint32_t> exposed;
-  for (size_t i = 0; i < voxels.size(); ++i)
-    if (is_exposed[i] != 0) exposed.push_back(static_cast<uint32_t>(i));
+  const std::vector<Voxel> voxels =
+      exposed_of(coarse_voxels(codes, 3 * (levels - coarse)), coarse, choice.threads);
   std::vector<ReferenceCamera> cameras;
   for (unsigned view = 0; view < kSideViews; ++view)
     cameras.push_back(side_camera(view, 1U << coarse));
-  const std::vector<uint32_t> rest =
-      unseen_of(exposed, seen_by_all(cameras, coarse, voxels, exposed, choice.threads));
-  const auto least = static_cast<size_t>(choice.least_gain * static_cast<double>(exposed.size()));
+  const std::vector<Voxel> rest =
+      unseen_of(voxels, seen_by_all(cameras, coarse, voxels, voxels, choice.threads));
+  const auto least = static_cast<size_t>(choice.least_gain * static_cast<double>(voxels.size()));
   if (rest.empty() || rest.size() < least || choice.most == 0) return {};
   const std::vector<glm::dvec3> directions = candidates();
   cameras.clear();
