@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "afx/file_test_folder.h"
+#include "afx/float_tiff_test_file.h"
 
 namespace afx {
 namespace {
@@ -111,28 +111,6 @@ TEST(Png, DeepReadingGivesFourBitGreyAsStored) {
   ASSERT_TRUE(deep.ok()) << deep.error().text;
   EXPECT_EQ(deep.value().bits, 4U);
   EXPECT_EQ(deep.value().samples, (std::vector<uint16_t>{0, 1, 7, 15}));
-}
-
-// A TIFF of one strip of 32-bit floating point, grey, by the TIFF 6.0 specification.
-std::vector<uint8_t> float_tiff(uint32_t width, uint32_t height,
-                                const std::vector<float>& samples) {
-  std::vector<uint8_t> bytes{'I', 'I', 42, 0, 8, 0, 0, 0, 9, 0};
-  const auto put = [&](uint32_t value, int count) {
-    for (int n = 0; n < count; ++n) bytes.push_back(static_cast<uint8_t>(value >> (8 * n)));
-  };
-  const auto size = static_cast<uint32_t>(4 * samples.size());
-  constexpr uint32_t kData = 8 + 2 + 9 * 12 + 4;
-  const uint32_t entries[9][2] = {{256, width}, {257, height}, {258, 32},   {259, 1}, {262, 1},
-                                  {273, kData}, {278, height}, {279, size}, {339, 3}};
-  for (const auto& [tag, value] : entries) {
-    put(tag, 2);
-    put(4, 2);  // LONG
-    put(1, 4);
-    put(value, 4);
-  }
-  put(0, 4);
-  for (const float sample : samples) put(std::bit_cast<uint32_t>(sample), 4);
-  return bytes;
 }
 
 TEST(FloatPictures, AreReadAsStored) {
