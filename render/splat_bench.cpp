@@ -3,18 +3,12 @@
 #include <benchmark/benchmark.h>
 
 #include "render/renderer.h"
-#include "render/test_scenes.h"
+#include "render/test_surfels.h"
 
 namespace afx::render {
 namespace {
 
-/// A full sphere shell, about 840,000 voxels, filling a picture of 1024 x 1024.
-/// Arguments: samples each way, threads.
-void draw_sphere(benchmark::State& state) {
-  TestModelMaker maker(9);
-  add_sphere(maker, 9, 0.423, {200, 150, 90, 255});
-  const TestModel model = maker.make();
-  const Scene scene = model.scene();
+void draw(benchmark::State& state, const Scene& scene, size_t splats) {
   const auto camera = fit_camera(outline(scene), View{}, 1);
   if (!camera.ok()) return state.SkipWithError("no camera");
   const RenderOptions options{.samples = static_cast<unsigned>(state.range(0)),
@@ -23,16 +17,32 @@ void draw_sphere(benchmark::State& state) {
     auto image = render(scene, camera.value(), options);
     benchmark::DoNotOptimize(image);
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(model.codes.size()));
-  state.counters["voxels"] = static_cast<double>(model.codes.size());
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(splats));
+  state.counters["splats"] = static_cast<double>(splats);
 }
-BENCHMARK(draw_sphere)
-    ->Args({1, 1})
-    ->Args({1, 2})
-    ->Args({3, 1})
-    ->Args({3, 2})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+
+/// A full sphere shell, about 880,000 voxels, filling a picture of 1024 x 1024.
+/// Arguments: samples each way, threads.
+void draw_sphere(benchmark::State& state) {
+  TestModelMaker maker(9);
+  add_sphere(maker, 9, 0.423, {200, 150, 90, 255});
+  const TestModel model = maker.make();
+  draw(state, model.scene(), model.codes.size());
+}
+
+/// The same sphere as six cameras see it, a million surfels.
+void draw_surfel_sphere(benchmark::State& state) {
+  Surfels surfels;
+  add_surfel_sphere(surfels, 0.423, 532, {200, 150, 90, 255});
+  draw(state, scene_of(surfels), surfels.size());
+}
+
+void arguments(benchmark::internal::Benchmark* bench) {
+  bench->Args({1, 1})->Args({1, 2})->Args({3, 1})->Args({3, 2});
+  bench->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+BENCHMARK(draw_sphere)->Apply(arguments);
+BENCHMARK(draw_surfel_sphere)->Apply(arguments);
 
 }  // namespace
 }  // namespace afx::render
