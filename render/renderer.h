@@ -49,8 +49,10 @@ struct RenderedImage {
 /// to show. A pixel is the mean of its samples.
 ///
 /// Each surfel is the parallelogram that it is, with its own depth at every sample, a little longer
-/// than it is so that neighbours overlap, and not narrower than a sample. It is mixed with what
-/// lies not more than 0.4 of its shorter side behind the nearest splat, whatever kind that is of.
+/// than it is so that neighbours overlap, and not narrower than a sample. It is mixed in where it
+/// lies not more than 0.4 of its shorter side behind the nearest splat, of whatever kind. The more
+/// it is stretched the less it counts: then it comes from a picture that saw the surface from
+/// aside.
 ///
 /// Source  the paper, section VI (splat size); bulge and mixing are ours, their constants found by
 ///         trying (hole_test.cpp holds them to it)
@@ -58,7 +60,7 @@ struct RenderedImage {
 /// The background shows through by the part of the pixel that no splat covers. Voxels and surfels
 /// whose centre lies nearer than the near plane are left out. Towards the sides of very wide views
 /// (beyond about 120 degrees) splats are larger than they should be. Time grows with the number of
-/// splats and the pixels they cover; memory is at most 44 bytes a voxel, 72 a surfel and 4 (with
+/// splats and the pixels they cover; memory is at most 44 bytes a voxel, 76 a surfel and 4 (with
 /// depth 8) a pixel.
 ///
 /// Errors  bad_argument: the camera, the options or a cloud is out of range (the text names it);

@@ -36,6 +36,7 @@ struct Disc {
     return {splat.depth + bend * d2, d2 * inverse};
   }
 
+  static constexpr float weight = 1;  // of its centre, in mixing
   const Splat& splat;
   float inverse;  // of the square of the radius
   float bend;
@@ -45,7 +46,7 @@ struct Disc {
 /// eye: what lies there is outside of all four edges.
 class Parallelogram {
  public:
-  Parallelogram(const Splat& s, const Slant& l) : splat(s), slant_(l) {
+  Parallelogram(const Splat& s, const Slant& l) : splat(s), weight(l.weight), slant_(l) {
     const float near_x = l.nearness * l.depth_x, near_y = l.nearness * l.depth_y;
     edges_[0] = {near_x + l.s_x, near_y + l.s_y};  // s k <= 1
     edges_[1] = {near_x - l.s_x, near_y - l.s_y};
@@ -72,6 +73,7 @@ class Parallelogram {
   }
 
   const Splat& splat;
+  const float weight;
 
  private:
   static constexpr float kLeastPart = 1e-6F;  // no depth is a million times the centre's

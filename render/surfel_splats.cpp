@@ -10,10 +10,18 @@
 namespace afx::render {
 namespace {
 
-/// Their height over the longer side; of a rectangle, the shorter one. 0 of what has no area.
-double fineness(const glm::dvec3& u, const glm::dvec3& v) {
+constexpr double kLeastWeight = 1e-3;
+
+struct Shape {
+  double shorter;     ///< the height over the longer side; of a rectangle, the shorter side
+  double squareness;  ///< that as a part of the longer side
+};
+
+Shape shape_of(const glm::dvec3& u, const glm::dvec3& v) {
   const double longer = std::max(glm::length(u), glm::length(v));
-  return longer > 0 ? 2 * glm::length(glm::cross(u, v)) / longer : 0;
+  if (!(longer > 0)) return {0, 0};
+  const double shorter = glm::length(glm::cross(u, v)) / longer;
+  return {2 * shorter, shorter / longer};
 }
 
 /// Makes the parallelogram so wide that the disc of radius kLeastRadius fits in (nearly so, if both
@@ -83,7 +91,9 @@ bool SurfelProjection::project_surfel(size_t number, Splat& splat, Slant& slant)
   splat.radius = static_cast<float>(radius);
   splat.depth = static_cast<float>(depth);
   splat.bulge = 0;
-  splat.tolerance = static_cast<float>(kTolerance * fineness(side_u, side_v));
+  const Shape shape = shape_of(side_u, side_v);
+  splat.tolerance = static_cast<float>(kTolerance * shape.shorter);
+  slant.weight = static_cast<float>(std::max(shape.squareness, kLeastWeight));
   const glm::dvec2 s(v.offset.y / area, -v.offset.x / area);
   const glm::dvec2 t(-u.offset.y / area, u.offset.x / area);
   const glm::dvec2 deeper = s * u.depth + t * v.depth;

@@ -28,6 +28,7 @@ struct Slant {
   float s_x, s_y, t_x, t_y;
   float depth_x, depth_y;
   float nearness;  ///< 1 / the depth of the centre in perspective, 0 in parallel projection
+  float weight;    ///< in mixing: 1 of a square, less the longer the surfel is stretched
 };
 
 /// Projects the surfels of one cloud for one camera and size of picture. Their sides are made

@@ -210,6 +210,14 @@ TEST(Surfels, PiecesOfTheSameSurfaceAreMixedInLinearLight) {
   EXPECT_EQ(at(drawn(scene_of(surfels), camera, {.width = 9, .height = 9}), 4, 4), kBlue);
 }
 
+TEST(Surfels, StretchedPiecesCountForLess) {
+  Surfels surfels;
+  surfels.push_back({0, 0, 0}, {0.5F, 0, 0}, {0, 0.5F, 0}, kRed);
+  surfels.push_back({0, 0, 0}, {0.5F, 0, 0}, {0, 2, 0}, kBlue);  // by four: 4 parts red, 1 blue
+  EXPECT_EQ(at(drawn(scene_of(surfels), front(1), {.width = 9, .height = 9, .samples = 1}), 4, 4),
+            (Rgba8{231, 0, 124, 255}));  // sRGB of 0.8 and 0.2
+}
+
 TEST(Surfels, TheyShareTheDepthBufferWithVoxels) {
   Surfels surfels;
   add_square(surfels, 1, 0, 10, kBlue);
@@ -365,14 +373,14 @@ TEST(Surfels, LimitsAreKept) {
   Surfels surfels;
   add_square(surfels, 0.5, 0, 1, kRed);
   Limits limits;
-  limits.memory = 471;  // 4 bytes a pixel and 72 for the surfel
+  limits.memory = 475;  // 4 bytes a pixel and 76 for the surfel
   const RenderOptions options{.width = 10, .height = 10};
   const auto image = render(scene_of(surfels), Camera{}, options, limits);
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.error().code, Errc::limit_exceeded);
   EXPECT_EQ(image.error().text,
             "drawing 0 voxels and 1 surfels into 100 pixels needs more than the limits allow");
-  limits.memory = 472;
+  limits.memory = 476;
   EXPECT_TRUE(render(scene_of(surfels), Camera{}, options, limits).ok());
 }
 

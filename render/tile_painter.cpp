@@ -80,7 +80,7 @@ void TilePainter::lay_colour(const Shape& shape) {
       const Hit hit = shape.at(dx, dy);
       if (hit.depth - tolerance > depths_[i]) continue;
       const float inner = std::max(0.0F, 1 - hit.out);
-      const float weight = inner * inner + kLeastWeight;
+      const float weight = shape.weight * (inner * inner + kLeastWeight);
       Sum& sum = sums_[i];
       sum.r += weight * r;
       sum.g += weight * g;
