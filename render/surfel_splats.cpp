@@ -10,14 +10,14 @@
 namespace afx::render {
 namespace {
 
-constexpr double kLeastWeight = 1e-3;
+constexpr double kLeastSquareness = 1e-3;
 
-struct Shape {
+struct Proportions {
   double shorter;     ///< the height over the longer side; of a rectangle, the shorter side
   double squareness;  ///< that as a part of the longer side
 };
 
-Shape shape_of(const glm::dvec3& u, const glm::dvec3& v) {
+Proportions proportions_of(const glm::dvec3& u, const glm::dvec3& v) {
   const double longer = std::max(glm::length(u), glm::length(v));
   if (!(longer > 0)) return {0, 0};
   const double shorter = glm::length(glm::cross(u, v)) / longer;
@@ -91,9 +91,9 @@ bool SurfelProjection::project_surfel(size_t number, Splat& splat, Slant& slant)
   splat.radius = static_cast<float>(radius);
   splat.depth = static_cast<float>(depth);
   splat.bulge = 0;
-  const Shape shape = shape_of(side_u, side_v);
-  splat.tolerance = static_cast<float>(kTolerance * shape.shorter);
-  slant.weight = static_cast<float>(std::max(shape.squareness, kLeastWeight));
+  const Proportions proportions = proportions_of(side_u, side_v);
+  splat.tolerance = static_cast<float>(kTolerance * proportions.shorter);
+  slant.weight = static_cast<float>(std::max(proportions.squareness, kLeastSquareness));
   const glm::dvec2 s(v.offset.y / area, -v.offset.x / area);
   const glm::dvec2 t(-u.offset.y / area, u.offset.x / area);
   const glm::dvec2 deeper = s * u.depth + t * v.depth;
