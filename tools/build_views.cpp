@@ -47,8 +47,7 @@ Result<std::vector<Shot>> cameras_of_file(const std::string& path, const BuildJo
   if (!input.ok()) return input.error();
   if (is_text_scene(input.value().kind) || is_coded_scene(input.value().kind))
     return cameras_of_scene(input.value(), job);
-  const std::span<const uint8_t> bytes = input.value().file.bytes();
-  return read_camera_list({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return read_camera_list(input.value().file.bytes(), job.session.limits);
 }
 
 }  // namespace

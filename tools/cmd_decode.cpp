@@ -15,7 +15,7 @@ namespace {
 /// What can be asked before the work: are the kinds right, may the output be written?
 int check_names(const DecodeOptions& options, const OutputFiles& outputs, const Session& session,
                 std::string& format) {
-  constexpr const char* kOutputs[] = {"wrl", "bt", "xmt", "json", "oct"};
+  constexpr const char* kOutputs[] = {"wrl", "bt", "xmt", "json", "oct", "ply"};
   constexpr const char* kInputs[] = {"afx", "mp4", "bifs"};
   if (const int code = output_format(session, options.output, options.format, kOutputs, format);
       code != kDone)
@@ -48,6 +48,7 @@ int decode(const DecodeOptions& options, const Session& session) {
   OutputFiles outputs(session.options.overwrite);
   std::string format;
   if (const int code = check_names(options, outputs, session, format); code != kDone) return code;
+  if (format == "ply") return decode_points(options, outputs, session);
   Diagnostics diagnostics;
   const auto opened = open_input(options.input, options.input_format, session.limits, diagnostics);
   if (!opened.ok()) return session.fail(opened.error(), options.input, diagnostics);
@@ -69,8 +70,8 @@ int decode(const DecodeOptions& options, const Session& session) {
 
 void add_decode(CLI::App& program, Session& session) {
   auto options = std::make_shared<DecodeOptions>();
-  CLI::App* command =
-      program.add_subcommand("decode", "MP4 file, BIFS or AFX stream -> text, JSON, raw octree");
+  CLI::App* command = program.add_subcommand(
+      "decode", "MP4 file, BIFS or AFX stream -> text, JSON, raw octree, points");
   command
       ->add_option("IN", options->input,
                    "MP4 file (.mp4), BIFS (.bifs) or OctreeImage stream (.afx); - = standard input")
@@ -78,11 +79,13 @@ void add_decode(CLI::App& program, Session& session) {
   command
       ->add_option(
           "-o,--output", options->output,
-          "Scene text (.wrl .bt), XMT-A (.xmt), decoded values (.json) or raw octree (.oct); "
+          "Scene text (.wrl .bt), XMT-A (.xmt), decoded values (.json), raw octree (.oct) or, of "
+          "any scene with DIBR nodes, points (.ply); "
           "frame_%04d.wrl for every frame of an .afx; - = standard output")
       ->required();
-  command->add_option("--format", options->format,
-                      "Kind of the output where its name does not tell: wrl, bt, xmt, json or oct");
+  command->add_option(
+      "--format", options->format,
+      "Kind of the output where its name does not tell: wrl, bt, xmt, json, oct or ply");
   command->add_option("--input-format", options->input_format,
                       "Kind of the input: mp4, bifs or afx");
   command->add_option("--frame", options->frame, "Only this frame, counted from 0");

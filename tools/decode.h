@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// The two ways of `afx decode`.
+// The ways of `afx decode`.
 #pragma once
 
 #include <cstdint>
@@ -36,5 +36,9 @@ int decode_octrees(const DecodeOptions& options, const std::string& format, cons
 /// is at the end, with its pictures beside it. Returns an exit code.
 int decode_presentation(const DecodeOptions& options, const std::string& format, const Input& input,
                         OutputFiles& outputs, const Session& session, Diagnostics& diagnostics);
+
+/// The DIBR objects of a scene of any kind, or RGB-D pictures, as a point cloud (PLY): pixels at
+/// their depth, voxel centres. Returns an exit code.
+int decode_points(const DecodeOptions& options, OutputFiles& outputs, const Session& session);
 
 }  // namespace afx::tools

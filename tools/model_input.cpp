@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "afx/builder/model_reader.h"
+#include "afx/builder/rgbd_reader.h"
 #include "afx/builder/point_surfels.h"
 #include "afx/surfel_sources.h"
 #include "tools/abort_guard.h"
@@ -80,6 +81,8 @@ Result<ModelInput> read_model_input(const std::string& path, const Session& sess
       return given(read_scene_models(input.value(), session.limits, diagnostics), path);
     case Kind::octree_stream:
       return given(read_octree_alone(input.value(), session.limits, diagnostics), path);
+    case Kind::json:
+      return given(read_rgbd(path, session.options.threads, session.limits, diagnostics), path);
     default:
       return Error{Errc::unsupported,
                    Place::none(),

@@ -2,17 +2,17 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "afx/builder/camera_list.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "afx/builder/json_text.h"
 #include "afx/builder/view_plan.h"
 #include "afx/node_rotation.h"
 
 namespace afx {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 Error wrong(const std::string& path, const std::string& text, Errc code = Errc::malformed) {
   return {code, Place::none(), path + " " + text};
@@ -97,25 +97,10 @@ class CameraReader {
   Status status_;
 };
 
-// The library tells the place of an error only by what it throws.
-Result<Json> parse(std::string_view text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const std::string_view before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
-    const auto line = static_cast<uint32_t>(std::count(before.begin(), before.end(), '\n') + 1);
-    const size_t end = before.rfind('\n');
-    const size_t start = end == std::string_view::npos ? 0 : end + 1;
-    return Error{Errc::malformed,
-                 Place::at_line(line, static_cast<uint32_t>(before.size() - start + 1)),
-                 "is no JSON here (expected a list of cameras)"};
-  }
-}
-
 }  // namespace
 
-Result<std::vector<Shot>> read_camera_list(std::string_view text) {
-  const auto parsed = parse(text);
+Result<std::vector<Shot>> read_camera_list(std::span<const uint8_t> bytes, const Limits& limits) {
+  const auto parsed = parse_json(bytes, limits);
   if (!parsed.ok()) return parsed.error();
   const Json& json = parsed.value();
   if (!json.is_object() || !json.contains("cameras") || !json["cameras"].is_array())
@@ -134,7 +119,7 @@ Result<std::vector<Shot>> read_camera_list(std::string_view text) {
 }
 
 std::string write_camera_list(const std::vector<Shot>& shots) {
-  Json cameras = Json::array();
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
   for (const Shot& shot : shots) {
     const DepthCamera& camera = shot.camera;
     const nodes::Rotation turn = rotation_of(camera.orientation);
@@ -147,7 +132,7 @@ std::string write_camera_list(const std::vector<Shot>& shots) {
                        {"width", shot.width},
                        {"height", shot.height}});
   }
-  return Json{{"cameras", std::move(cameras)}}.dump(2) + "\n";
+  return nlohmann::ordered_json{{"cameras", std::move(cameras)}}.dump(2) + "\n";
 }
 
 }  // namespace afx

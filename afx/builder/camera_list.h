@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "afx/builder/view_source.h"
 #include "codec/error.h"
+#include "codec/limits.h"
 
 namespace afx {
 
@@ -19,10 +21,10 @@ namespace afx {
 ///
 /// The members are named after the fields of DepthImage and mean the same; all but orientation and
 /// orthographic must be there. Cameras are rounded to what a node can hold (as_in_node).
-/// Errors  malformed: no JSON (with line and column), a member that is missing, of another type or
+/// Errors  those of parse_json; malformed: a member that is missing, of another type or
 ///         not known, each with its path ("cameras[2].width"); bad_argument: check_depth_camera's,
 ///         sizes outside 1..65535, no cameras or more than 255
-Result<std::vector<Shot>> read_camera_list(std::string_view json);
+Result<std::vector<Shot>> read_camera_list(std::span<const uint8_t> json, const Limits& limits);
 
 /// The other way round: cameras as such a list.
 std::string write_camera_list(const std::vector<Shot>& shots);

@@ -11,6 +11,10 @@
 namespace afx {
 namespace {
 
+Result<std::vector<Shot>> read(const std::string& json) {
+  return read_camera_list({reinterpret_cast<const uint8_t*>(json.data()), json.size()}, {});
+}
+
 std::string camera(const std::string& more = "", const std::string& width = "64") {
   return R"({"cameras": [{"position": [1, 2, 3], "fieldOfView": [4, 2], "nearPlane": 1,
  "farPlane": 5, "width": )" +
@@ -18,8 +22,7 @@ std::string camera(const std::string& more = "", const std::string& width = "64"
 }
 
 TEST(CameraList, ReadsTheFieldsOfDepthImages) {
-  const auto shots =
-      read_camera_list(camera(R"(, "orientation": [0, 1, 0, 1.5], "orthographic": true)"));
+  const auto shots = read(camera(R"(, "orientation": [0, 1, 0, 1.5], "orthographic": true)"));
   ASSERT_TRUE(shots.ok()) << shots.error().text;
   ASSERT_EQ(shots.value().size(), 1U);
   const Shot& shot = shots.value()[0];
@@ -34,7 +37,7 @@ TEST(CameraList, ReadsTheFieldsOfDepthImages) {
 }
 
 TEST(CameraList, OrientationAndOrthographicHaveTheNodesDefaults) {
-  const auto shots = read_camera_list(camera());
+  const auto shots = read(camera());
   ASSERT_TRUE(shots.ok()) << shots.error().text;
   EXPECT_EQ(shots.value()[0].camera.orientation, glm::dquat(1, 0, 0, 0));
   EXPECT_TRUE(shots.value()[0].camera.orthographic);
@@ -44,7 +47,7 @@ TEST(CameraList, WhatIsWrittenIsReadAgain) {
   Shot shot{{{0.25, -1, 7}, glm::angleAxis(0.5, glm::dvec3(0, 0, 1)), false, {0.5, 0.75}, 1, 9},
             640,
             480};
-  const auto again = read_camera_list(write_camera_list({shot, shot}));
+  const auto again = read(write_camera_list({shot, shot}));
   ASSERT_TRUE(again.ok()) << again.error().text;
   ASSERT_EQ(again.value().size(), 2U);
   EXPECT_EQ(again.value()[1].camera.position, shot.camera.position);
@@ -54,10 +57,10 @@ TEST(CameraList, WhatIsWrittenIsReadAgain) {
 
 TEST(CameraList, ErrorsNameTheMember) {
   const auto error_of = [](const std::string& json) {
-    const auto shots = read_camera_list(json);
+    const auto shots = read(json);
     return shots.ok() ? std::string("ok") : to_string(shots.error());
   };
-  EXPECT_EQ(error_of("{\n  \"cameras\": [}"), "2:15: is no JSON here (expected a list of cameras)");
+  EXPECT_EQ(error_of("{\n  \"cameras\": [}"), "2:15: this is not JSON");
   EXPECT_EQ(error_of("[]"), "has no list named cameras");
   EXPECT_EQ(error_of(R"({"cameras": []})"), "has 0 cameras (expected 1 to 255)");
   EXPECT_EQ(error_of(R"({"cameras": [7]})"), "cameras[0] is not an object");

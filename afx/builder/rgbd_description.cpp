@@ -13,6 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "afx/builder/json_text.h"
+
 namespace afx {
 namespace {
 
@@ -21,7 +23,6 @@ using Json = nlohmann::json;
 constexpr std::array<std::string_view, 16> kMembers{
     "colour", "depth", "mask",  "pose",   "near",       "far",        "fx",         "fy",
     "cx",     "cy",    "width", "height", "depthScale", "convention", "intrinsics", "frames"};
-constexpr uint64_t kJsonGrowth = 64;  // bytes of a document in memory for one of the file
 
 /// The fields of one frame. The first problem is kept; what is asked after it has no meaning.
 class FrameFields {
@@ -168,32 +169,6 @@ Result<RgbdDescription> describe(const Json& top, size_t number) {
   return d;
 }
 
-/// at   number of the byte, from 1
-Place place_of(std::span<const uint8_t> bytes, size_t at) {
-  uint32_t line = 1, column = 1;
-  for (const uint8_t byte : bytes.first(std::min(bytes.size(), std::max<size_t>(at, 1) - 1))) {
-    if (byte == '\n') {
-      ++line;
-      column = 1;
-    } else if ((byte & 0xC0) != 0x80) {  // not the rest of a character
-      ++column;
-    }
-  }
-  return Place::at_line(line, column);
-}
-
-Result<Json> parse(std::span<const uint8_t> bytes, const Limits& limits) {
-  if (bytes.size() > limits.memory / kJsonGrowth)
-    return Error{Errc::limit_exceeded, Place::none(), "the JSON is larger than the limit"};
-  try {
-    return Json::parse(bytes.begin(), bytes.end());
-  } catch (const Json::parse_error& problem) {
-    return Error{Errc::malformed, place_of(bytes, problem.byte), "this is not JSON"};
-  } catch (const Json::exception&) {
-    return Error{Errc::malformed, Place::none(), "a number of the JSON is too large"};
-  }
-}
-
 Status check_frames(const Json& top) {
   const auto bad = [](const char* text) { return Error{Errc::bad_argument, Place::none(), text}; };
   if (!top.is_object()) return bad("the JSON is not an object");
@@ -224,7 +199,7 @@ std::string rgbd_text(double value) {
 Result<std::vector<RgbdDescription>> read_rgbd_description(std::span<const uint8_t> bytes,
                                                            const Limits& limits,
                                                            Diagnostics& diagnostics) {
-  const Result<Json> parsed = parse(bytes, limits);
+  const Result<Json> parsed = parse_json(bytes, limits);
   if (!parsed.ok()) return parsed.error();
   const Json& top = parsed.value();
   if (Status s = check_frames(top); !s.ok()) return s.error();
