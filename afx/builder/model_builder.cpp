@@ -26,10 +26,11 @@ constexpr unsigned kMostThreads = 4;  // each has pictures of its own
 constexpr uint32_t kOff = 16;
 
 // A decibel is worth the same everywhere, so the squared difference that a symbol of the index may
-// cost grows with what there is anyhow: this much times the mean difference of the voxels from
-// their best images, within bounds. Measured: no more than 0.2 dB are lost, and JPEG of quality 90,
-// whose own error is some 7 at each voxel, asks for the greatest.
-constexpr double kPriceOfMean = 2;
+// cost grows with the mean that there is anyhow: this much times that of the best images, or of
+// what the voxels are then found to have, within bounds. Measured: up to 0.2 dB are lost; JPEG of
+// quality 90, whose own error is some 7 at each voxel, asks for the greatest.
+constexpr double kPriceOfBest = 2;
+constexpr double kPriceOfShown = 3;
 constexpr double kLeastPrice = 0.25;
 
 // Views are tried that show this part of the exposed voxels anew.
@@ -65,9 +66,10 @@ class ModelBuilder {
     const JudgedVoxels judged{coordinates_, voxels_.colours, voxels_.normals, exposed_, levels_};
     parallel_for(candidates_.size(), threads_, [&](size_t k) { weigh(candidates_[k], judged); });
     report("choosing images", 0.85);
-    choose_images();
-    report("drawing images", 0.93);
-    draw_images();
+    if (options_.images == 0) drop_dear_images(candidates_, exposed_);
+    least_difference_ = least_difference(candidates_, exposed_);
+    choose_and_draw();
+    name_images();
     report("octree", 0.98);
     OctreeFields& fields = built_.model.fields;
     fields.octree = codec::octree_from_morton(voxels_.codes, levels_);
@@ -100,36 +102,36 @@ class ModelBuilder {
     return static_cast<unsigned>(std::clamp<uint64_t>(fit, kSideViews, wanted));
   }
 
+  // What the images then show may ask for a lower price.
+  void choose_and_draw() {
+    const double price =
+        options_.symbol_price.value_or(in_bounds(kPriceOfBest * least_difference_));
+    choose_images(price);
+    report("drawing images", 0.91);
+    draw_images();
+    const double lower = in_bounds(kPriceOfShown * shown_.squared);
+    if (options_.symbol_price || lower >= price) return;
+    choose_images(lower);
+    report("drawing images", 0.95);
+    draw_images();
+  }
+
+  static double in_bounds(double price) { return std::clamp(price, kLeastPrice, kSymbolPrice); }
+
   // Images that no exposed voxel takes go, and the hidden ones that took them choose again.
-  void choose_images() {
-    if (options_.images == 0) drop_dear_images(candidates_, exposed_);
-    least_difference_ = least_difference(candidates_, exposed_);
+  void choose_images(double price) {
     for (size_t before = 0; before != candidates_.size();) {
       before = candidates_.size();
-      choose();
+      choice_ = choose_index(
+          voxels_.codes, levels_, static_cast<unsigned>(candidates_.size()),
+          [this](size_t i, std::span<double> costs) {
+            for (size_t k = 0; k < costs.size(); ++k) costs[k] = candidates_[k].cost(i);
+          },
+          price);
       const std::vector<uint64_t> users = count_users();
       size_t k = 0;
       std::erase_if(candidates_, [&](const ImageCandidate&) { return users[k++] == 0; });
     }
-    count_seen();
-    for (ImageCandidate& candidate : candidates_) {
-      candidate.squared = {};
-      candidate.packed_costs = {};
-      built_.names.push_back(reference_name(candidate.view));
-    }
-  }
-
-  void choose() {
-    choice_ = choose_index(
-        voxels_.codes, levels_, static_cast<unsigned>(candidates_.size()),
-        [this](size_t i, std::span<double> costs) {
-          for (size_t k = 0; k < costs.size(); ++k) costs[k] = candidates_[k].cost(i);
-        },
-        options_.symbol_price.value_or(usual_price()));
-  }
-
-  [[nodiscard]] double usual_price() const {
-    return std::clamp(kPriceOfMean * least_difference_, kLeastPrice, kSymbolPrice);
   }
 
   // How many exposed voxels take each image.
@@ -139,20 +141,16 @@ class ModelBuilder {
     return users;
   }
 
-  void count_seen() {
-    for (size_t i = 0; i < coordinates_.size(); ++i) {
-      if (exposed_[i] == 0) continue;
-      ++built_.statistics.exposed;
-      if (std::any_of(candidates_.begin(), candidates_.end(),
-                      [i](const ImageCandidate& c) { return c.seen[i]; }))
-        ++built_.statistics.seen;
-    }
+  void name_images() {
+    for (const ImageCandidate& candidate : candidates_)
+      built_.names.push_back(reference_name(candidate.view));
   }
 
   void draw_images() {
     built_.model.images.resize(candidates_.size());
     built_.used.resize(candidates_.size());
     parallel_for(candidates_.size(), threads_, [this](size_t k) { draw_image(k); });
+    look_at_images();
   }
 
   // The camera of an image, its picture no larger than the voxels that take it ask for.
@@ -194,31 +192,44 @@ class ModelBuilder {
     built_.used[k] = std::move(used);
   }
 
-  void take_statistics() {
-    BuildStatistics& statistics = built_.statistics;
-    statistics.voxels = voxels_.codes.size();
-    statistics.index_symbols = built_.model.fields.voxel_image_index.size();
+  // Compares what the exposed voxels have with their own colours.
+  void look_at_images() {
     std::vector<ReferenceView> views;
-    for (size_t k = 0; k < built_.model.images.size(); ++k) {
-      const ReferenceImage& image = built_.model.images[k];
+    for (const ReferenceImage& image : built_.model.images)
       views.emplace_back(ReferenceCamera{image, image.picture.width, image.picture.height},
                          levels_);
-      statistics.pixels += built_.used[k].size();
-      statistics.used_pixels +=
-          static_cast<uint64_t>(std::count(built_.used[k].begin(), built_.used[k].end(), true));
-    }
-    double sum = 0;
+    shown_ = {};
     for (size_t i = 0; i < choice_.size(); ++i) {
       if (exposed_[i] == 0) continue;
       const unsigned k = choice_[i] - 1U;
       const auto [x, y] = views[k].pixel(coordinates_[i]);
-      const uint8_t* shown = built_.model.images[k].picture.pixel(x, y);
-      sum += squared_difference(shown, voxels_.colours[i]);
-      const uint32_t worst = worst_component(shown, voxels_.colours[i]);
-      statistics.worst = std::max(statistics.worst, worst);
-      if (worst > kOff) ++statistics.off;
+      const uint8_t* pixel = built_.model.images[k].picture.pixel(x, y);
+      shown_.squared += squared_difference(pixel, voxels_.colours[i]);
+      const uint32_t worst = worst_component(pixel, voxels_.colours[i]);
+      shown_.worst = std::max(shown_.worst, worst);
+      if (worst > kOff) ++shown_.off;
     }
-    statistics.psnr = psnr_of(sum / static_cast<double>(statistics.exposed));
+    shown_.squared /= static_cast<double>(std::count(exposed_.begin(), exposed_.end(), 1));
+  }
+
+  void take_statistics() {
+    BuildStatistics& statistics = built_.statistics;
+    statistics.voxels = voxels_.codes.size();
+    statistics.index_symbols = built_.model.fields.voxel_image_index.size();
+    for (const std::vector<bool>& used : built_.used) {
+      statistics.pixels += used.size();
+      statistics.used_pixels += static_cast<uint64_t>(std::count(used.begin(), used.end(), true));
+    }
+    for (size_t i = 0; i < coordinates_.size(); ++i) {
+      if (exposed_[i] == 0) continue;
+      ++statistics.exposed;
+      if (std::any_of(candidates_.begin(), candidates_.end(),
+                      [i](const ImageCandidate& c) { return c.seen[i]; }))
+        ++statistics.seen;
+    }
+    statistics.worst = shown_.worst;
+    statistics.off = shown_.off;
+    statistics.psnr = psnr_of(shown_.squared);
     statistics.best_psnr = psnr_of(least_difference_);
   }
 
@@ -231,6 +242,11 @@ class ModelBuilder {
   std::vector<uint8_t> exposed_;
   std::vector<ImageCandidate> candidates_;
   double least_difference_ = 0;
+  struct {
+    double squared = 0;  // the mean difference
+    uint32_t worst = 0;
+    uint64_t off = 0;
+  } shown_;
   std::vector<uint8_t> choice_;
   BuiltOctree built_;
 };
