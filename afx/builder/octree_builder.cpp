@@ -46,6 +46,9 @@ Status check_options(const BuildOptions& options) {
   if (options.images != 0 && (options.images < kSideViews || options.images > kMaxStreamTextures))
     return refused(std::to_string(options.images) +
                    " images (expected 6 to 127, or 0 for as many as are worth their bytes)");
+  if (options.symbol_price && !(*options.symbol_price >= 0))
+    return refused("the price of an index symbol is " + std::to_string(*options.symbol_price) +
+                   " (expected 0 or more)");
   return options.cube ? check_cube(*options.cube) : Status{};
 }
 

@@ -204,6 +204,19 @@ TEST(BuildOctree, SaysWhatADecoderMakesOfItsColours) {
   EXPECT_GE(built.statistics.psnr, built.statistics.best_psnr - 0.2);
 }
 
+TEST(BuildOctree, LosesLittleForFarFewerSymbols) {
+  Mesh mesh = sphere_mesh(4);
+  for (const glm::vec3& p : mesh.positions)  // colours that no two images show alike
+    mesh.colours.emplace_back(0.5F + 0.4F * p.x * p.y, 0.5F + 0.4F * p.z, 0.5F - 0.4F * p.x);
+  const BuiltOctree best = build(mesh, {.resolution = 100, .symbol_price = 0});
+  const BuiltOctree usual = build(mesh, {.resolution = 100});
+  const BuiltOctree dear = build(mesh, {.resolution = 100, .symbol_price = kSymbolPrice});
+  // Beyond 70 dB, a component in 150 wrong by one, there is nothing to lose.
+  EXPECT_GT(usual.statistics.psnr, std::min(best.statistics.psnr, 70.0) - 0.2);
+  EXPECT_LT(2 * usual.statistics.index_symbols, best.statistics.index_symbols);
+  EXPECT_LE(dear.statistics.index_symbols, usual.statistics.index_symbols);
+}
+
 TEST(BuildOctree, CropsImagesToWhatVoxelsTake) {
   const BuiltOctree built = build(pavilion(), {.resolution = 64});
   uint64_t used = 0, all = 0;
@@ -370,6 +383,8 @@ TEST(BuildOctree, RefusesWhatItCannotBuild) {
   EXPECT_EQ(text({.resolution = 8, .images = 5}),
             "5 images (expected 6 to 127, or 0 for as many as are worth their bytes)");
   EXPECT_EQ(code(dice(), {.resolution = 8, .images = 128}), Errc::bad_argument);
+  EXPECT_EQ(text({.resolution = 8, .symbol_price = -1}),
+            "the price of an index symbol is -1.000000 (expected 0 or more)");
   EXPECT_EQ(text({.resolution = 8, .cube = Cube{{0, 0, 0}, 0}}),
             "the cube's side is 0.000000 (expected a length > 0)");
   EXPECT_EQ(text({.resolution = 8, .cube = Cube{{NAN, 0, 0}, 1}}),
