@@ -38,7 +38,7 @@ MeshRaster::MeshRaster(const Mesh& mesh, const DepthCamera& camera, uint32_t wid
     for (size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i)
       seen_[i] = projection.to_camera(glm::dvec3(mesh.positions[i]));
   });
-  sort_into_bands();
+  sort_into_bands(threads);
 }
 
 uint32_t MeshRaster::end_row(uint32_t band) const {
@@ -111,26 +111,28 @@ MeshRaster::Rows MeshRaster::rows_of(uint32_t triangle) const {
   return rows;
 }
 
-void MeshRaster::sort_into_bands() {
-  const auto bands_of = [this](uint32_t triangle) {
-    const Rows rows = rows_of(triangle);
-    if (rows.first > rows.last) return std::pair<uint32_t, uint32_t>{1, 0};
-    return std::pair<uint32_t, uint32_t>{static_cast<uint32_t>(rows.first) / kBandRows,
-                                         static_cast<uint32_t>(rows.last) / kBandRows};
+void MeshRaster::sort_into_bands(unsigned threads) {
+  struct Bands {  // from `first` up to, not with, `end`
+    uint32_t first = 0, end = 0;
   };
-  const auto count = static_cast<uint32_t>(mesh_.triangles.size());
+  const size_t count = mesh_.triangles.size();
+  std::vector<Bands> of(count);
+  parallel_for((count + kChunk - 1) / kChunk, threads, [&](size_t chunk) {
+    for (size_t t = chunk * kChunk; t < std::min(count, (chunk + 1) * kChunk); ++t) {
+      const Rows rows = rows_of(static_cast<uint32_t>(t));
+      if (rows.first > rows.last) continue;
+      of[t] = {static_cast<uint32_t>(rows.first) / kBandRows,
+               static_cast<uint32_t>(rows.last) / kBandRows + 1};
+    }
+  });
   starts_.assign(bands() + 1, 0);
-  for (uint32_t t = 0; t < count; ++t) {
-    const auto [first, last] = bands_of(t);
-    for (uint32_t band = first; band <= last; ++band) ++starts_[band + 1];
-  }
+  for (const Bands& met : of)
+    for (uint32_t band = met.first; band < met.end; ++band) ++starts_[band + 1];
   for (size_t band = 0; band < bands(); ++band) starts_[band + 1] += starts_[band];
   entries_.resize(starts_.back());
   std::vector<size_t> next(starts_.begin(), starts_.end() - 1);
-  for (uint32_t t = 0; t < count; ++t) {
-    const auto [first, last] = bands_of(t);
-    for (uint32_t band = first; band <= last; ++band) entries_[next[band]++] = t;
-  }
+  for (uint32_t t = 0; t < count; ++t)
+    for (uint32_t band = of[t].first; band < of[t].end; ++band) entries_[next[band]++] = t;
 }
 
 }  // namespace afx

@@ -30,7 +30,8 @@ struct Fragment {
 
 /// The triangles of a mesh as one camera sees them, sorted into bands of rows that can be worked on
 /// at the same time. Both sides of a triangle are seen; what lies nearer than the near plane is
-/// not. Memory: 24 bytes a vertex, 4 for each triangle and band that it meets.
+/// not. Memory: 24 bytes a vertex, 8 a
+/// triangle, 4 for each triangle and band that it meets.
 class MeshRaster {
  public:
   static constexpr uint32_t kBandRows =
@@ -80,7 +81,7 @@ class MeshRaster {
   [[nodiscard]] int cut(uint32_t triangle, Parts& parts) const;
   [[nodiscard]] Placed place(const std::array<Corner, 3>& corners) const;
   [[nodiscard]] Rows rows_of(uint32_t triangle) const;
-  void sort_into_bands();
+  void sort_into_bands(unsigned threads);
 
   template <class Visit>
   void draw(const std::array<Corner, 3>& corners, uint32_t triangle, uint32_t band,
