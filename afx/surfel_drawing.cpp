@@ -117,7 +117,7 @@ class Drawing {
     uint64_t all = 0;
     for (const uint64_t part : touched) all += part;
     if (all > kMostSurfelPixels)
-      return too_much("the pieces of surface touch " + std::to_string(all) + " pixels");
+      return beyond_limit("the pieces of surface touch " + std::to_string(all) + " pixels");
     return rows;
   }
 
@@ -132,7 +132,7 @@ class Drawing {
     for (size_t band = 1; band < bands.starts.size(); ++band)
       bands.starts[band] += bands.starts[band - 1];
     if (bands.starts.back() > limits.memory / sizeof(uint32_t))
-      return too_much("the pieces of surface on the picture's rows take memory");
+      return beyond_limit("the pieces of surface on the picture's rows take memory");
     bands.pieces.resize(bands.starts.back());
     std::vector<size_t> next(bands.starts);
     for (size_t n = 0; n < rows.size(); ++n)
@@ -201,7 +201,7 @@ Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camer
   if (Status s = check_depth_request(camera, request, 16, kPixelBytes, limits); !s.ok())
     return s.error();
   if (surfels.size() > std::min<uint64_t>(limits.memory / sizeof(Rows), 0xffffffff))
-    return too_much("there are " + std::to_string(surfels.size()) + " pieces of surface");
+    return beyond_limit("there are " + std::to_string(surfels.size()) + " pieces of surface");
   const bool opaque = std::all_of(surfels.colours.begin(), surfels.colours.end(),
                                   [](Rgba8 c) { return c.a == 255 || c.a == 0; });
   SimpleTexture picture;

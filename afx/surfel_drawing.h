@@ -15,8 +15,9 @@
 
 namespace afx {
 
-/// Draws surfels into a SimpleTexture. A piece is seen in the pixels whose centres it covers and in
-/// the one where its own centre falls, as far as it lies between the near and far plane there.
+/// Draws surfels into a SimpleTexture. A piece is seen in the pixels whose centres it covers, and
+/// one that is small (surfel_footprint.h) in that where its own centre falls, as far as it lies
+/// between the near and far plane there.
 ///
 /// What is nearest in a pixel is shown, together with pieces not farther behind than a pixel is
 /// wide and the piece is long: their colours are averaged in linear light, with weights

@@ -10,6 +10,7 @@
 namespace afx {
 namespace {
 
+constexpr double kSmall = 1.5;       // pixels along a side
 constexpr double kLeastArea = 1e-9;  // in pixels; thinner pieces are seen from their edge
 
 /// The whole numbers from low to high, as far as they are 0 .. count - 1.
@@ -21,7 +22,7 @@ void limit(double low, double high, double count, uint32_t& first, uint32_t& end
 
 }  // namespace
 
-Error too_much(const std::string& what) {
+Error beyond_limit(const std::string& what) {
   return {Errc::limit_exceeded, Place::none(), what + " (more than the limit)"};
 }
 
@@ -35,8 +36,8 @@ Status check_depth_request(const DepthCamera& camera, const DepthRequest& reques
                  "the depth has " + std::to_string(request.depth_bits) + " bits (expected 1 to " +
                      std::to_string(most_bits) + ")"};
   if (pixels > std::min(limits.picture_pixels, limits.memory / pixel_bytes))
-    return too_much("the picture has " + std::to_string(request.width) + " x " +
-                    std::to_string(request.height) + " pixels");
+    return beyond_limit("the picture has " + std::to_string(request.width) + " x " +
+                        std::to_string(request.height) + " pixels");
   return {};
 }
 
@@ -76,6 +77,7 @@ SurfelFootprint SurfelCamera::footprint(const Surfels& surfels, size_t n) const 
   };
   const glm::dvec2 u = seen(surfels.u[n], piece.deeper_.x);
   const glm::dvec2 v = seen(surfels.v[n], piece.deeper_.y);
+  piece.small = std::max(glm::length(u), glm::length(v)) <= kSmall / 2;
   const double cross = u.x * v.y - u.y * v.x;
   piece.area = 4 * cross;
   piece.flat_ = std::abs(piece.area) > kLeastArea;

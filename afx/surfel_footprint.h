@@ -23,7 +23,7 @@ namespace afx {
 inline constexpr uint64_t kMostSurfelPixels = uint64_t{1} << 31;
 
 /// limit_exceeded: `what` is more than the limit.
-Error too_much(const std::string& what);
+Error beyond_limit(const std::string& what);
 
 /// A picture that is asked for.
 struct DepthRequest {
@@ -51,17 +51,18 @@ class SurfelFootprint {
   PixelRange range;         ///< the pixels worth asking, within the picture
   bool owns_pixel = false;  ///< the centre falls into a pixel of the picture: own_i, own_j
   uint32_t own_i = 0, own_j = 0;
+  bool small = false;  ///< neither side is longer than one and a half pixels
 
   /// The rows that it touches, from the lowest: first <= j < end.
   [[nodiscard]] uint32_t first_row() const;
   [[nodiscard]] uint32_t end_row() const;
 
   /// Calls visit(i, j, distance) for the pixels in rows first <= j < end whose centres it covers,
-  /// with its distance there, and for its own pixel in any case: a piece smaller than a pixel is
-  /// seen too.
+  /// with its distance there, and if it is small for its own pixel in any case: what is smaller
+  /// than a pixel is seen too. (Larger ones seen from their edge would be no more than dots.)
   template <class Visit>
   void for_each_pixel(uint32_t first, uint32_t end, Visit&& visit) const {
-    bool own_left = owns_pixel && own_j >= first && own_j < end;
+    bool own_left = small && owns_pixel && own_j >= first && own_j < end;
     double at = 0;
     for (uint32_t j = std::max(first, range.j0); j < std::min(end, range.j1); ++j)
       for (uint32_t i = range.i0; i < range.i1; ++i) {

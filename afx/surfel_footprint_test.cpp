@@ -82,6 +82,24 @@ TEST_P(Footprint, OfAPieceSmallerThanAPixelIsThePixelOfItsCentre) {
   EXPECT_EQ(calls, 1);
 }
 
+TEST_P(Footprint, OfALongPieceSeenFromItsEdgeIsEmpty) {
+  const DepthCamera camera = test_camera(GetParam());
+  const CameraProjection projection(camera);
+  const glm::dvec3 centre = projection.point({0.51, 0.52, 3});
+  const glm::vec3 away(0.7 * projection.towards_viewer(centre));
+  const glm::vec3 up(camera.orientation * glm::dvec3(0, 1, 0));
+  const auto count = [&](float half) {  // a pixel is 0.25 high, or 0.18 in perspective
+    const Surfels surfels = one(centre, away, half * up);
+    int pixels = 0;
+    SurfelCamera(camera, 16, 12)
+        .footprint(surfels, 0)
+        .for_each_pixel(0, 12, [&](uint32_t, uint32_t, double) { ++pixels; });
+    return pixels;
+  };
+  EXPECT_EQ(count(0.1F), 1);
+  EXPECT_EQ(count(0.6F), 0);
+}
+
 TEST_P(Footprint, IsNegativeInAreaWhereTheOutsideFacesAway) {
   const DepthCamera camera = test_camera(GetParam());
   const glm::dvec3 centre = CameraProjection(camera).point({0.5, 0.5, 3});

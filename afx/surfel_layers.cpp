@@ -59,9 +59,9 @@ class Layering {
       const SurfelFootprint piece = view_.footprint(surfels_, n);
       touched += piece.range.count();
       if (touched > kMostSurfelPixels)
-        return too_much("the pieces of surface touch " + std::to_string(touched) + " pixels");
+        return beyond_limit("the pieces of surface touch " + std::to_string(touched) + " pixels");
       if (samples_.size() + piece.range.count() + 1 > most)
-        return too_much("the samples of the pieces of surface take memory");
+        return beyond_limit("the samples of the pieces of surface take memory");
       add(piece, surfels_.colours[n]);
     }
     std::sort(samples_.begin(), samples_.end());
@@ -72,13 +72,17 @@ class Layering {
 
  private:
   void add(const SurfelFootprint& piece, Rgba8 colour) {
+    if (piece.owns_pixel) add_sample(piece.own_i, piece.own_j, piece.distance, colour, false);
     piece.for_each_pixel(0, texture_.height, [&](uint32_t i, uint32_t j, double at) {
       const bool own = piece.owns_pixel && i == piece.own_i && j == piece.own_j;
-      const uint64_t depth = distance_to_depth(own ? piece.distance : at, texture_.dmax(), camera_);
-      if (depth == 0) return;
-      const uint64_t pixel = uint64_t{j} * texture_.width + i;
-      samples_.push_back({pixel << 32 | (0xffffffff - depth), colour, !own});
+      if (!own) add_sample(i, j, at, colour, true);
     });
+  }
+
+  void add_sample(uint32_t i, uint32_t j, double distance, Rgba8 colour, bool filling) {
+    const uint64_t depth = distance_to_depth(distance, texture_.dmax(), camera_);
+    const uint64_t pixel = uint64_t{j} * texture_.width + i;
+    if (depth != 0) samples_.push_back({pixel << 32 | (0xffffffff - depth), colour, filling});
   }
 
   /// Whether one sample lies within a pixel's side of another of the same pixel.
@@ -147,8 +151,8 @@ Result<DepthImage> layer_surfels(const Surfels& surfels, const DepthCamera& came
   if (Status s = check_depth_request(camera, request, 32, sizeof(uint32_t), limits); !s.ok())
     return s.error();
   if (uint64_t{width} * height > 0xffffffff)
-    return too_much("the picture has " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels");
+    return beyond_limit("the picture has " + std::to_string(width) + " x " +
+                        std::to_string(height) + " pixels");
   PointTexture texture;
   texture.width = width;
   texture.height = height;

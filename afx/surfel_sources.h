@@ -16,9 +16,9 @@
 
 namespace afx {
 
-/// Half the side of a voxel's piece, in voxel sides. Neighbours in a surface across an edge are
-/// sqrt(2) apart, so less than 0.71 would part them.
-inline constexpr double kVoxelHalfSide = 0.72;
+/// Half the side of a voxel's piece, in voxel sides. Neighbours across an edge are sqrt(2) apart,
+/// so less than 0.71 would part them; the rest keeps surfaces closed that are seen from the side.
+inline constexpr double kVoxelHalfSide = 0.85;
 
 /// Adds a square around a centre with sides of 2 * half.
 /// normal   where its outside is, of length 1; +z where it is (0, 0, 0)

@@ -185,8 +185,8 @@ TEST(SurfelSources, AVoxelIsASquareAcrossItsNormal) {
   ASSERT_EQ(surfels.size(), codes.size());
   for (size_t n = 0; n < surfels.size(); ++n) {
     const Voxel v = codec::morton_decode(codes[n]);
-    EXPECT_NEAR(glm::length(surfels.u[n]), 0.72 / 32, 1e-6);
-    EXPECT_NEAR(glm::length(surfels.v[n]), 0.72 / 32, 1e-6);
+    EXPECT_NEAR(glm::length(surfels.u[n]), 0.85 / 32, 1e-6);
+    EXPECT_NEAR(glm::length(surfels.v[n]), 0.85 / 32, 1e-6);
     const glm::dvec3 normal = glm::normalize(glm::cross(surfels.u[n], surfels.v[n]));
     EXPECT_GT(glm::dot(normal, glm::normalize(surfels.centres[n])), 0.85) << n;
     // In its voxel, on the line through the middle along the normal, and near the sphere, from
@@ -226,7 +226,7 @@ TEST(SurfelSources, AnOctreeOfASceneIsAmongItsObjects) {
   const glm::dvec3 centre = result.value().centres[0];
   EXPECT_LT(std::max({centre.x, centre.y, centre.z}), 0);  // in its eighth of the cube
   EXPECT_GT(std::min({centre.x, centre.y, centre.z}), -4);
-  EXPECT_NEAR(glm::length(result.value().u[1]), 0.72 * 4, 1e-6);
+  EXPECT_NEAR(glm::length(result.value().u[1]), 0.85 * 4, 1e-6);
 }
 
 TEST(SurfelSources, RefuseWhatIsTooMuchOrCannotBe) {
