@@ -20,7 +20,8 @@
 namespace afx {
 namespace {
 
-constexpr unsigned kMostThreads = 4;  // each has pictures of its own
+// Each thread has pictures of its own, up to 27 bytes for each of 3 size^2 pixels.
+constexpr unsigned most_threads(uint32_t size) { return size <= 1024 ? 4 : 2; }
 
 // A voxel is off where a component is wrong by more.
 constexpr uint32_t kOff = 16;
@@ -52,7 +53,7 @@ class ModelBuilder {
                const BuildOptions& options)
       : voxels_(std::move(voxels)), levels_(levels), options_(options) {
     size_ = options.image_size != 0 ? options.image_size : 1U << levels;
-    threads_ = std::min(thread_count(options.threads), kMostThreads);
+    threads_ = std::min(thread_count(options.threads), most_threads(size_));
     built_.model.resolution = resolution;
   }
 
