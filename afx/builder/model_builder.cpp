@@ -142,9 +142,11 @@ class ModelBuilder {
     return users;
   }
 
+  // Those from elsewhere than the sides are numbered without gaps.
   void name_images() {
+    unsigned next = kSideViews;
     for (const ImageCandidate& candidate : candidates_)
-      built_.names.push_back(reference_name(candidate.view));
+      built_.names.push_back(reference_name(candidate.view < kSideViews ? candidate.view : next++));
   }
 
   void draw_images() {
@@ -170,7 +172,9 @@ class ModelBuilder {
     return cropped(camera, left, top, right - left + 1, bottom - top + 1);
   }
 
-  // Each pixel has the colour of the voxels that take it.
+  // Each pixel has the colour of the voxels that take it. What it shows of others is free, too:
+  // keeping that takes JPEG 45 to 90 % more bytes at the same PSNR, and coarser levels of the
+  // octree, which may look there, gain 1 dB at most or lose.
   void draw_image(size_t k) {
     const ReferenceCamera camera = cropped_to_use(k);
     const ReferenceView view(camera, levels_);

@@ -191,7 +191,11 @@ TEST(BuildOctree, AddsImagesUntilTheOutsideIsSeen) {
   const BuiltOctree all = build(pavilion(), {.resolution = 64, .images = 40});
   EXPECT_LT(unseen(all), unseen(six) / 8);
   EXPECT_LE(all.model.images.size(), 40U);
-  EXPECT_EQ(all.names.size(), all.model.images.size());
+  ASSERT_EQ(all.names.size(), all.model.images.size());
+  const auto first = std::find(all.names.begin(), all.names.end(), "view07");
+  ASSERT_NE(first, all.names.end());
+  for (auto name = first; name != all.names.end(); ++name)
+    EXPECT_EQ(*name, reference_name(6 + static_cast<unsigned>(name - first)));
 }
 
 TEST(BuildOctree, SaysWhatADecoderMakesOfItsColours) {
