@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "afx/picture_io.h"
 #include "tools/program_fixture.h"
 
 namespace afx::tools {
@@ -36,12 +37,15 @@ TEST_F(BuildProgram, EveryFormIsNearTheMesh) {
     const std::string scene = form + ".wrl";
     (void)result("build t.obj -o " + scene + " --as " + form + " --resolution 64");
     // Half a voxel or pixel is 1/128 of the longest side.
-    const json distance = result("compare t.obj " + scene + " --views 2 --size 64 --points 100000", 4);
+    const json distance =
+        result("compare t.obj " + scene + " --views 2 --size 64 --points 100000", 4);
     EXPECT_LT(distance.at("d1"), 1.0 / 64) << form;
     EXPECT_LT(distance.at("hausdorff"), 3.0 / 64) << form;
     EXPECT_GT(distance.at("psnr"), 20) << form;
-    EXPECT_EQ(run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.02").code, 0);
-    const Outcome beyond = run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.00001");
+    EXPECT_EQ(run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.02").code,
+              0);
+    const Outcome beyond =
+        run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.00001");
     EXPECT_EQ(beyond.code, 4);
     EXPECT_THAT(beyond.out, HasSubstr("beyond the limit: d1 is 0.0"));
     EXPECT_EQ(run("render " + scene + " --size 32x32 -o " + form + ".png").code, 0);
@@ -84,6 +88,46 @@ TEST_F(BuildProgram, EveryFormConvertsIntoEveryOther) {
       EXPECT_LT(distance.at("d1"), 2.0 / 48) << scene;
     }
   }
+}
+
+TEST_F(BuildProgram, PointsComeOutOfEveryFormAndGoInAgain) {
+  for (const std::string form : {"depth", "points", "octree"}) {
+    (void)result("build t.obj -o a.wrl -f --as " + form + " --resolution 48");
+    const json points = result("decode a.wrl -o " + form + ".ply");
+    EXPECT_GT(points.at("points"), 1000) << form;
+    EXPECT_EQ(result("compare a.wrl " + form + ".ply --views 0").at("d1"), 0) << form;
+    (void)result("build " + form + ".ply -o b.wrl -f --as points --resolution 48");
+    EXPECT_LT(result("compare t.obj b.wrl --views 0 --points 100000", 4).at("d1"), 2.0 / 48);
+  }
+  EXPECT_EQ(run("decode t.obj -o x.ply").err,
+            "afx: t.obj: is a mesh (expected something sampled)\n");
+}
+
+TEST_F(BuildProgram, RgbdPicturesBecomeEveryForm) {
+  // A wall 2 units before the camera, 1 unit wide for each 50 pixels: red left, blue right.
+  Picture colour(40, 30, 3);
+  DeepPicture depth{40, 30, 1, 16, std::vector<uint16_t>(1200, 2000)};
+  for (uint32_t y = 0; y < 30; ++y)
+    for (uint32_t x = 0; x < 40; ++x) colour.pixel(x, y)[x < 20 ? 0 : 2] = 255;
+  depth.samples[0] = 0;
+  const auto colours = encode_picture(colour, "png");
+  const auto depths = encode_picture(depth, "png", {.colour = false});
+  ASSERT_TRUE(colours.ok() && depths.ok());
+  write_file(file("c.png"), {colours.value().begin(), colours.value().end()});
+  write_file(file("d.png"), {depths.value().begin(), depths.value().end()});
+  write_file(file("scan.json"), R"({"depthScale": 0.001, "fx": 100, "fy": 100, "cx": 19.5,
+ "cy": 14.5, "frames": [{"colour": "c.png", "depth": "d.png",
+ "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})");
+  const json points = result("build scan.json -o p.wrl --as points --resolution 40");
+  EXPECT_EQ(points.at("samples"), 1199);
+  EXPECT_EQ(points.at("points"), 1199);
+  const json octree = result("build scan.json -o o.wrl --as octree --resolution 40");
+  EXPECT_NEAR(octree.at("voxels").get<double>(), 1199, 100);  // about a voxel for each pixel
+  const json depth_images = result("build scan.json -o d.wrl --as depth --views 1 --resolution 40");
+  EXPECT_GT(depth_images.at("usedPixels"), 0);
+  write_file(file("bad.json"), R"({"frames": []})");
+  EXPECT_EQ(run("build bad.json -o x.wrl").err,
+            "afx: bad.json: frames is not a list of one frame or more\n");
 }
 
 TEST_F(BuildProgram, ViewsAreANumberAutomaticOrAFile) {

@@ -18,7 +18,7 @@ namespace {
 constexpr unsigned kDirections = 128;  // that are looked from, the six of the box among them
 constexpr size_t kSamples = 100000;    // points on the surface
 constexpr uint32_t kMeterResolution = 384;
-constexpr double kWorthIt = 1.0 / 1000;  // of the visible points, for one more view
+constexpr double kWorthIt = 1.0 / 2000;  // of the visible points, for one more view
 constexpr double kFlattest = 0.17;       // sine of 10 degrees
 constexpr double kCameraDistance = 2;    // in perspective, from the middle, in longest sides
 constexpr double kPad = 1.0 / 4096;      // of the depths: room for rounding to single precision

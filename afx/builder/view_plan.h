@@ -59,7 +59,7 @@ class CoverageMeter {
   [[nodiscard]] Result<Coverage> measure(const std::vector<Shot>& views) const;
 
   /// Directions of views that show nearly all that can be seen: the six of a box, then each time
-  /// the one of 128 that shows the most that none before did, until that is less than a thousandth
+  /// the one of 128 that shows the most that none before did, until that is less than 1 in 2000
   /// of all. At most `most`.
   [[nodiscard]] std::vector<glm::dvec3> choose(unsigned most = kMostViews) const;
 
