@@ -208,6 +208,16 @@ TEST_F(BuildProgram, AModelIsTheSameAsItself) {
   EXPECT_EQ(same.at("d1"), 0);
 }
 
+TEST_F(BuildProgram, CompareTellsTheSizesOfTheParts) {
+  const json built = result("build t.obj -o a.wrl --resolution 32");
+  const json sizes = result("compare t.obj a.wrl --views 0 --points 1000", 4);
+  EXPECT_EQ(sizes.at("sizeA"), json({{"file", std::string(kTetrahedron).size()}}));
+  EXPECT_EQ(sizes.at("sizeB").at("file"), built.at("sceneBytes"));
+  EXPECT_EQ(sizes.at("sizeB").at("pictures"), built.at("imageBytes"));
+  EXPECT_EQ(sizes.at("sizeB").at("octree"), built.at("octreeBytes"));
+  EXPECT_EQ(sizes.at("sizeB").at("imageIndices"), built.at("voxelImageIndexSymbols"));
+}
+
 TEST_F(BuildProgram, MeshesAreDrawnAsTheyAre) {
   ASSERT_EQ(run("render t.obj -o p.png --size 40x30 --azimuth 30").code, 0);
   ASSERT_EQ(run("render t.obj -o q.png --size 40x30 --azimuth 30 --threads 1").code, 0);

@@ -17,6 +17,7 @@
 #include "render/view_ring.h"
 #include "tools/drawing.h"
 #include "tools/model_input.h"
+#include "tools/model_sizes.h"
 
 namespace afx::tools {
 namespace {
@@ -239,6 +240,12 @@ Result<ModelDistance> compare_models(const std::string& a, const std::string& b,
                      {.peak = 0, .threads = session.options.threads, .limits = session.limits});
   if (!difference.ok()) return difference.error();
   ModelDistance distance;
+  for (size_t i = 0; i < 2; ++i) {
+    const std::string name = i == 0 ? "A" : "B";
+    const Json sizes = model_sizes(*paths[i], session);
+    distance.json["size" + name] = sizes;
+    distance.lines.push_back(name + ": " + size_text(sizes));
+  }
   tell_points(difference.value(), clouds[0].positions.size(), clouds[1].positions.size(), distance);
   if (options.views == 0) return distance;
   const Status compared = compare_views(drawings[0], drawings[1], options, session, distance);
