@@ -63,6 +63,7 @@ Result<BuiltScene> build_depth_scene(ModelInput&& model, const BuildJob& job) {
   options.resolution = job.command.resolution;
   options.orthographic = !job.command.perspective;
   options.depth_bits = job.command.depth_bits == 0 ? 16 : job.command.depth_bits;
+  if (job.command.image_format == "jpeg") options.coder = ImageCoder::jpeg;
   options.views = views.value().count;
   options.shots = views.value().shots;
   options.coverage = job.command.coverage;

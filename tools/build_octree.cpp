@@ -41,8 +41,10 @@ BuildOptions options_of(const ModelInput& model, const BuildJob& job) {
     options.cube = Cube{{c[0], c[1], c[2]}, c[3]};
   options.image_size = job.command.image_size;
   options.images = job.command.images;
-  // What JPEG loses hides what a higher price of indices does.
-  if (job.command.image_format == "jpeg") options.symbol_price = kSymbolPrice;
+  if (job.command.image_format == "jpeg") {
+    options.coder = ImageCoder::jpeg;
+    options.symbol_price = kSymbolPrice;  // what JPEG loses hides what that does
+  }
   options.threads = job.session.options.threads;
   options.shade = job.command.shading();
   options.limits = job.session.limits;

@@ -41,7 +41,7 @@ class DepthImageBuilder {
                                               static_cast<double>(shots.size()));
       auto image = source_.take(shot, options_.depth_bits);
       if (!image.ok()) return std::move(image).error();
-      count(std::get<SimpleTexture>(image.value().texture));
+      finish(std::get<SimpleTexture>(image.value().texture));
       built_.images.push_back(std::move(image).value());
     }
     if (!meter_) return std::move(built_);
@@ -65,11 +65,14 @@ class DepthImageBuilder {
     return shots;
   }
 
-  void count(const SimpleTexture& texture) {
-    const auto& depths = texture.depth.samples;
-    built_.pixels += depths.size();
-    built_.used +=
-        depths.size() - static_cast<size_t>(std::count(depths.begin(), depths.end(), uint16_t{0}));
+  // Pixels that see nothing get colours that cost little; with alpha, that says what is not seen.
+  void finish(SimpleTexture& texture) {
+    const std::vector<uint16_t>& depths = texture.depth.samples;
+    std::vector<bool> used(depths.size());
+    for (size_t i = 0; i < depths.size(); ++i) used[i] = depths[i] != 0;
+    built_.pixels += used.size();
+    built_.used += static_cast<uint64_t>(std::count(used.begin(), used.end(), true));
+    if (texture.colour.components == 3) fill_unused(texture.colour, used, options_.coder);
   }
 
   const ViewSource& source_;

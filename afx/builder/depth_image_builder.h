@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "afx/builder/image_fill.h"
 #include "afx/builder/view_plan.h"
 #include "afx/builder/view_source.h"
 #include "afx/depth_image.h"
@@ -23,8 +24,9 @@ inline constexpr uint32_t kMaxPictureResolution = 16384;
 struct DepthImageOptions {
   uint32_t resolution = 256;  ///< pixels along the model's longest side, 1..kMaxPictureResolution
   bool orthographic = true;
-  unsigned depth_bits = 8;  ///< 8 or 16
-  unsigned views = 6;       ///< evenly spread, 1..kMostViews; 0: as many as show nearly everything
+  unsigned depth_bits = 8;             ///< 8 or 16
+  ImageCoder coder = ImageCoder::png;  ///< that the pictures are meant for: what free pixels show
+  unsigned views = 6;  ///< evenly spread, 1..kMostViews; 0: as many as show nearly everything
   std::vector<Shot> shots = {};  ///< not empty: these cameras instead, as they are
   bool coverage = false;  ///< measure it (always done for views = 0): takes the time of 128 views
   /// Called as the work goes on with a stage's name and 0..1 of the whole.

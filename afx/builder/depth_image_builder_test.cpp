@@ -48,6 +48,17 @@ TEST_F(DepthImageBuilderTest, GivenCamerasAreTakenAsTheyAre) {
   EXPECT_EQ(built.value().used, 50U);  // half of the width and of the height
 }
 
+TEST_F(DepthImageBuilderTest, UnseenPixelsContinueTheirSurroundings) {
+  const Shot shot{{{0, 0, 10}, {1, 0, 0, 0}, true, {4, 4}, 8, 12}, 20, 20};
+  for (const ImageCoder coder : {ImageCoder::jpeg, ImageCoder::png}) {
+    const auto built = build_depth_images(views_, {.coder = coder, .shots = {shot}});
+    ASSERT_TRUE(built.ok());
+    const auto& texture = std::get<SimpleTexture>(built.value().images[0].texture);
+    ASSERT_EQ(texture.depth.samples[0], 0);
+    EXPECT_EQ(colour_at(texture.colour, 0, 0), (Rgba8{255, 255, 255, 255}));  // as the box
+  }
+}
+
 TEST_F(DepthImageBuilderTest, RefusesOptionsOutOfRange) {
   EXPECT_EQ(build_depth_images(views_, {.resolution = 0}).error().text,
             "the resolution is 0 (expected 1 to 16384)");

@@ -197,14 +197,43 @@ class Filler {
   std::vector<Mean> means_;  // of blocks, row by row
 };
 
+// A row whose first used pixel is in column `first`.
+void fill_row(Picture& picture, const std::vector<bool>& used, uint32_t y, uint32_t first) {
+  const uint32_t n = picture.components;
+  for (uint32_t x = 0; x < first; ++x) std::copy_n(picture.pixel(first, y), n, picture.pixel(x, y));
+  for (uint32_t x = first + 1; x < picture.width; ++x)
+    if (!used[size_t{y} * picture.width + x])
+      std::copy_n(picture.pixel(x - 1, y), n, picture.pixel(x, y));
+}
+
+// Repeats pixels along the rows, and rows downwards.
+void repeat_pixels(Picture& picture, const std::vector<bool>& used) {
+  const size_t row_samples = size_t{picture.width} * picture.components;
+  bool begun = false;  // a row with used pixels was met
+  for (uint32_t y = 0; y < picture.height; ++y) {
+    const auto row = used.begin() + static_cast<std::ptrdiff_t>(size_t{y} * picture.width);
+    const auto first = std::find(row, row + picture.width, true) - row;
+    if (first < picture.width) {
+      fill_row(picture, used, y, static_cast<uint32_t>(first));
+      for (uint32_t above = 0; !begun && above < y; ++above)
+        std::copy_n(picture.pixel(0, y), row_samples, picture.pixel(0, above));
+      begun = true;
+    } else if (begun) {
+      std::copy_n(picture.pixel(0, y - 1), row_samples, picture.pixel(0, y));
+    }
+  }
+}
+
 }  // namespace
 
-void fill_unused(Picture& picture, const std::vector<bool>& used) {
+void fill_unused(Picture& picture, const std::vector<bool>& used, ImageCoder coder) {
   if (std::find(used.begin(), used.end(), true) == used.end()) {
     std::fill(picture.samples.begin(), picture.samples.end(), uint8_t{128});
-    return;
+  } else if (coder == ImageCoder::png) {
+    repeat_pixels(picture, used);
+  } else {
+    Filler(picture, used).run();
   }
-  Filler(picture, used).run();
 }
 
 }  // namespace afx

@@ -18,7 +18,7 @@ TEST(FillUnused, LeavesUsedPixelsAlone) {
     for (size_t k = 0; k < 3; ++k) picture.samples[3 * i + k] = static_cast<uint8_t>(i + 50 * k);
   }
   const Picture before = picture;
-  fill_unused(picture, used);
+  fill_unused(picture, used, ImageCoder::jpeg);
   for (size_t i = 0; i < 63; i += 4)
     for (size_t k = 0; k < 3; ++k) EXPECT_EQ(picture.samples[3 * i + k], before.samples[3 * i + k]);
 }
@@ -32,7 +32,7 @@ TEST(FillUnused, ContinuesASingleColourEverywhere) {
     only[0] = 10;
     only[1] = 200;
     only[2] = 77;
-    fill_unused(picture, used);
+    fill_unused(picture, used, ImageCoder::jpeg);
     for (size_t i = 0; i < used.size(); ++i) {
       EXPECT_EQ(picture.samples[3 * i], 10);
       EXPECT_EQ(picture.samples[3 * i + 1], 200);
@@ -53,7 +53,7 @@ TEST(FillUnused, FindsTheWaveThatUsedPixelsAreOf) {
       used[y * 8 + x] = true;
       std::fill_n(picture.pixel(x, y), 3, static_cast<uint8_t>(std::lround(wave(x))));
     }
-  fill_unused(picture, used);
+  fill_unused(picture, used, ImageCoder::jpeg);
   for (uint32_t y = 0; y < 8; ++y)
     for (const uint32_t x : {1U, 6U}) EXPECT_NEAR(picture.pixel(x, y)[1], wave(x), 2) << x;
 }
@@ -64,7 +64,7 @@ TEST(FillUnused, KeepsBlocksApart) {
   std::vector<bool> used(128);
   used[7] = used[8] = true;
   std::fill_n(picture.pixel(8, 0), 3, uint8_t{255});
-  fill_unused(picture, used);
+  fill_unused(picture, used, ImageCoder::jpeg);
   for (uint32_t x = 0; x < 16; ++x) EXPECT_EQ(picture.pixel(x, 5)[0], x < 8 ? 0 : 255) << x;
 }
 
@@ -74,7 +74,7 @@ TEST(FillUnused, GivesEmptyBlocksTheColourAroundOrBefore) {
   std::vector<bool> used(32 * 24);
   used[8] = used[23 * 32 + 31] = true;
   std::fill_n(picture.pixel(31, 23), 3, uint8_t{255});
-  fill_unused(picture, used);
+  fill_unused(picture, used, ImageCoder::jpeg);
   const auto block = [&](uint32_t column, uint32_t row) {
     return picture.pixel(8 * column + 3, 8 * row + 4)[0];
   };
@@ -91,16 +91,31 @@ TEST(FillUnused, TakesAnyNumberOfComponents) {
   std::vector<bool> used(27);
   used[0] = true;
   picture.samples[0] = 77;
-  fill_unused(picture, used);
+  fill_unused(picture, used, ImageCoder::jpeg);
   EXPECT_TRUE(std::all_of(picture.samples.begin(), picture.samples.end(),
                           [](uint8_t s) { return s == 77; }));
 }
 
 TEST(FillUnused, MakesAnEmptyPictureGrey) {
   Picture picture(5, 5, 3);
-  fill_unused(picture, std::vector<bool>(25));
+  fill_unused(picture, std::vector<bool>(25), ImageCoder::png);
   EXPECT_TRUE(std::all_of(picture.samples.begin(), picture.samples.end(),
                           [](uint8_t s) { return s == 128; }));
+}
+
+TEST(FillUnused, ForPngRepeatsPixelsAlongRowsAndRowsDownwards) {
+  Picture picture(4, 4, 1);
+  picture.samples = {0, 0, 0, 0,  //
+                     0, 7, 0, 9,  //
+                     0, 0, 0, 0,  //
+                     5, 0, 0, 0};
+  std::vector<bool> used(16);
+  used[5] = used[7] = used[12] = true;
+  fill_unused(picture, used, ImageCoder::png);
+  EXPECT_EQ(picture.samples, (std::vector<uint8_t>{7, 7, 7, 9,  //
+                                                   7, 7, 7, 9,  //
+                                                   7, 7, 7, 9,  //
+                                                   5, 5, 5, 5}));
 }
 
 }  // namespace

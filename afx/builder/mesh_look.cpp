@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "afx/builder/image_fill.h"
 #include "afx/srgb.h"
 #include "afx/voxel_shading.h"
 #include "codec/parallel.h"
@@ -168,9 +167,6 @@ Result<DepthImage> draw_depth_image(const MeshLook& look, const Shot& shot, unsi
       texture.colour.samples[at * 3 + 2] = colour.b;
     }
   });
-  std::vector<bool> used(pixels);
-  for (size_t i = 0; i < pixels; ++i) used[i] = texture.depth.samples[i] != 0;
-  fill_unused(texture.colour, used);
   return DepthImage{shot.camera, std::move(texture)};
 }
 

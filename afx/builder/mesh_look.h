@@ -60,7 +60,7 @@ class MeshLook {
 
 /// The mesh as a DepthImage with a SimpleTexture, RGB: the colour and the depth of the nearest
 /// surface at the centre of each pixel, the colour the mean over what the pixel covers. Pixels that
-/// see nothing have depth 0 and colours that continue their surroundings (image_fill.h).
+/// see nothing have depth 0 and are black.
 ///
 /// depth_bits   8 or 16
 /// threads      0 = all cores; the result is the same for any number

@@ -190,7 +190,7 @@ class ModelBuilder {
     draw_voxels(
         view, coordinates_, voxels_.colours,
         [&](size_t i) { return takes(i) && !seen[i] && is_free(i); }, picture, used);
-    fill_unused(picture, used);
+    fill_unused(picture, used, options_.coder);
     ReferenceImage& image = built_.model.images[k];
     image = camera.image;
     image.picture = std::move(picture);

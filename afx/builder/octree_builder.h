@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "afx/builder/grid.h"
+#include "afx/builder/image_fill.h"
 #include "afx/builder/index_choice.h"
 #include "afx/builder/mesh.h"
 #include "afx/builder/reference_cameras.h"
@@ -39,7 +40,8 @@ struct BuildOptions {
   /// index_choice.h; 0 = each voxel has its best image. Without it what loses 0.2 dB at most;
   /// kSymbolPrice suits images that are then coded as JPEG of quality 90.
   std::optional<double> symbol_price = {};
-  unsigned threads = 0;  ///< 0 = all cores; the result is the same for any number
+  ImageCoder coder = ImageCoder::png;  ///< that the images are meant for: what free pixels show
+  unsigned threads = 0;                ///< 0 = all cores; the result is the same for any number
   /// The cube to build in, in the coordinates of the input: 2^levels voxels
   /// a side, levels those of the resolution; what lies outside is left out and counted in a warning
   /// ("outside_cube"). Without it the object is fitted in.

@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "afx/builder/image_fill.h"
 #include "afx/builder/surface_samples.h"
 #include "afx/surfel_drawing.h"
 
@@ -65,15 +64,8 @@ Bounds SurfelViews::bounds_along(const glm::dmat3& axes) const {
 }
 
 Result<DepthImage> SurfelViews::take(const Shot& shot, unsigned depth_bits) const {
-  auto image =
-      draw_surfels(surfels_, shot.camera, shot.width, shot.height, depth_bits, threads_, limits_);
-  if (!image.ok()) return image;
-  auto& texture = std::get<SimpleTexture>(image.value().texture);
-  if (texture.colour.components != 3) return image;  // its alpha says what is not seen
-  std::vector<bool> used(texture.depth.samples.size());
-  for (size_t i = 0; i < used.size(); ++i) used[i] = texture.depth.samples[i] != 0;
-  fill_unused(texture.colour, used);
-  return image;
+  return draw_surfels(surfels_, shot.camera, shot.width, shot.height, depth_bits, threads_,
+                      limits_);
 }
 
 Result<std::vector<float>> SurfelViews::distances(const Shot& shot) const {

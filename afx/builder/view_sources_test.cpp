@@ -59,15 +59,6 @@ TEST_F(ViewSourcesTest, BoundsOfPiecesHoldTheMeshAndLittleMore) {
   }
 }
 
-TEST_F(ViewSourcesTest, UnseenPixelsContinueTheirSurroundings) {
-  const Shot shot = view_from(of_surfels_, {0, 0, 1}, {kResolution, true});
-  const auto image = of_surfels_.take(shot, 8);
-  ASSERT_TRUE(image.ok());
-  const auto& texture = std::get<SimpleTexture>(image.value().texture);
-  ASSERT_EQ(texture.depth.samples[0], 0);
-  EXPECT_GT(colour_at(texture.colour, 0, 0).g, 20);  // not the black of nothing
-}
-
 TEST_F(ViewSourcesTest, SamplesOfPiecesHaveTheirNormals) {
   const auto samples = of_surfels_.samples(1000);
   ASSERT_TRUE(samples.ok());
