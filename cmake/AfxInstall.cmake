@@ -23,6 +23,7 @@ if(TARGET afx_program)
 endif()
 foreach(folder codec nodes bifs afx render)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+  list(FILTER headers EXCLUDE REGEX "(_|/)test_[^/]*$")
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/afx/${folder})
 endforeach()
 

@@ -93,15 +93,6 @@ Result<ModelInput> read_model_input(const std::string& path, const Session& sess
   }
 }
 
-std::string describe(const ModelInput& model) {
-  if (const auto* mesh = std::get_if<Mesh>(&model))
-    return counted(mesh->triangles.size(), "triangle");
-  if (const auto* cloud = std::get_if<PointCloud>(&model))
-    return counted(cloud->positions.size(), "point");
-  if (const auto* surfels = std::get_if<Surfels>(&model)) return counted(surfels->size(), "pixel");
-  return counted(std::get<std::vector<DibrModel>>(model).size(), "DIBR object");
-}
-
 Result<Surfels> surfels_of_input(ModelInput&& model, const Session& session,
                                  Diagnostics& diagnostics) {
   const unsigned threads = session.options.threads;

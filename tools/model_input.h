@@ -27,9 +27,6 @@ using ModelInput = std::variant<Mesh, PointCloud, Surfels, std::vector<DibrModel
 Result<ModelInput> read_model_input(const std::string& path, const Session& session,
                                     Diagnostics& diagnostics);
 
-/// "a mesh of 1,234 triangles", for people.
-std::string describe(const ModelInput& model);
-
 /// Takes it to pieces of surface; for a mesh see afx/builder/mesh_surfels.h, that is not done here.
 Result<Surfels> surfels_of_input(ModelInput&& model, const Session& session,
                                  Diagnostics& diagnostics);
