@@ -41,7 +41,7 @@ Status check_shot(const Shot& shot, uint64_t scale, const Limits& limits) {
 class PixelFootprint {
  public:
   PixelFootprint(const MeshLook& look, const Shot& shot, const MeshRaster& raster)
-      : look_(look), projection_(shot.camera), raster_(raster), camera_(shot.camera) {}
+      : look_(look), projection_(shot.camera), raster_(raster) {}
 
   [[nodiscard]] double texels(const SeenSurface& seen) const {
     const double density = look_.texel_density(seen.triangle);
@@ -58,7 +58,6 @@ class PixelFootprint {
   const MeshLook& look_;
   CameraProjection projection_;
   const MeshRaster& raster_;
-  const DepthCamera& camera_;
 };
 
 // Takes the samples of one row of pixels, samples * samples for each, to their mean.

@@ -33,7 +33,6 @@ class MeshLook {
   MeshLook(const Mesh& mesh, Shade shade);
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-  [[nodiscard]] bool is_shaded() const { return shaded_; }
 
   /// What the rows of a band of `raster`, which is of this mesh, see: width * rows of the band, the
   /// top row first. Transparent surface (Material::alpha_cutoff) is looked through.
