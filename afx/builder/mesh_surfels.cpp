@@ -6,35 +6,16 @@
 #include <atomic>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "afx/builder/mesh_raster.h"
 #include "afx/builder/view_plan.h"
 #include "afx/builder/view_sources.h"
+#include "afx/plane_cell.h"
 #include "codec/parallel.h"
 
 namespace afx {
 namespace {
-
-// The axis along which a normal has its largest part; the later one of equal ones.
-int main_axis(const glm::dvec3& normal) {
-  const glm::dvec3 part = glm::abs(normal);
-  if (part.z >= part.x && part.z >= part.y) return 2;
-  return part.y >= part.x ? 1 : 0;
-}
-
-// Half the sides of the piece of a plane over a square cell of the grid along `axis`.
-std::pair<glm::vec3, glm::vec3> half_sides(const glm::dvec3& normal, int axis, double pixel) {
-  const int across = (axis + 1) % 3, along = (axis + 2) % 3;
-  glm::dvec3 u(0), v(0);
-  u[across] = pixel / 2;
-  u[axis] = -normal[across] / normal[axis] * pixel / 2;
-  v[along] = pixel / 2;
-  v[axis] = -normal[along] / normal[axis] * pixel / 2;
-  if (normal[axis] < 0) std::swap(u, v);  // u x v points outward
-  return {glm::vec3(u), glm::vec3(v)};
-}
 
 // The pieces of the triangles that face one axis.
 class AxisSampler {
@@ -84,9 +65,10 @@ class AxisSampler {
                              static_cast<float>(f.c)};
       if (!look_.is_there(seen)) return;
       ++count_;
-      const auto [u, v] = half_sides(normal, axis_, pixel_);
+      const HalfSides half = plane_cell(normal, axis_, pixel_ / 2);
       const ScreenPoint at{(f.x + 0.5) / shot_.width, 1 - (f.y + 0.5) / shot_.height, f.distance};
-      found.push_back(projection_.point(at), u, v, look_.colour(seen, texels));
+      found.push_back(projection_.point(at), glm::vec3(half.u), glm::vec3(half.v),
+                      look_.colour(seen, texels));
     });
   }
 
