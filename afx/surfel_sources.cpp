@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "afx/layer_leaning.h"
+#include "afx/layer_samples.h"
 #include "afx/octree_colours.h"
 #include "afx/pixel_pieces.h"
 #include "afx/reference_projection.h"
@@ -48,51 +50,6 @@ class SimpleSamples {
   const DepthCamera& camera_;
   const SimpleTexture& texture_;
   uint64_t dmax_;
-};
-
-/// The pixels of a PointTexture.
-class LayerSamples {
- public:
-  LayerSamples(const DepthImage& image, const PointTexture& texture)
-      : camera_(image.camera), texture_(texture), dmax_(texture.dmax()), sorted_(texture.depths) {
-    for (size_t p = 0; p + 1 < texture.starts.size(); ++p)
-      std::sort(sorted_.begin() + texture.starts[p], sorted_.begin() + texture.starts[p + 1]);
-  }
-
-  [[nodiscard]] size_t count(uint32_t i, uint32_t j) const {
-    if (texture_.starts.empty()) return 0;
-    return texture_.starts[pixel(i, j) + 1] - texture_.starts[pixel(i, j)];
-  }
-  [[nodiscard]] PixelSample sample(uint32_t i, uint32_t j, size_t n) const {
-    const size_t at = texture_.starts[pixel(i, j)] + n;
-    return {distance(texture_.depths[at]), texture_.colours[at]};
-  }
-  /// Of the distances in a pixel the one next to another pixel's.
-  [[nodiscard]] std::optional<double> nearest(uint32_t i, uint32_t j, double other) const {
-    const auto begin = sorted_.begin() + texture_.starts[pixel(i, j)];
-    const auto end = sorted_.begin() + texture_.starts[pixel(i, j) + 1];
-    if (begin == end) return std::nullopt;
-    // The greater the depth, the nearer.
-    const auto nearer =
-        std::partition_point(begin, end, [&](uint32_t depth) { return distance(depth) > other; });
-    if (nearer == end) return distance(*(end - 1));
-    if (nearer == begin) return distance(*begin);
-    const double before = distance(*(nearer - 1)), after = distance(*nearer);
-    return before - other < other - after ? before : after;
-  }
-
- private:
-  [[nodiscard]] size_t pixel(uint32_t i, uint32_t j) const {
-    return size_t{j} * texture_.width + i;
-  }
-  [[nodiscard]] double distance(uint32_t depth) const {
-    return depth_to_distance(depth, dmax_, camera_);
-  }
-
-  const DepthCamera& camera_;
-  const PointTexture& texture_;
-  uint64_t dmax_;
-  std::vector<uint32_t> sorted_;  // the depths, ascending within each pixel
 };
 
 /// Pixels as a DepthImage has them.
@@ -185,7 +142,11 @@ Result<Surfels> surfels_of(const DepthImage& image, unsigned threads, const Limi
   const auto& layers = std::get<PointTexture>(image.texture);
   if (Status memory = check_surfel_memory(layers.depths.size(), limits); !memory.ok())
     return memory.error();
-  return pieces_of(grid_of(image, layers.dmax()), LayerSamples(image, layers), threads, limits);
+  const PixelGrid grid = grid_of(image, layers.dmax());
+  const LayerSamples samples(image, layers);
+  Result<Surfels> pieces = pieces_of(grid, samples, threads, limits);
+  if (pieces.ok()) lean_along_layers(grid, samples, threads, pieces.value());
+  return pieces;
 }
 
 Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Limits& limits,

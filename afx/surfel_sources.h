@@ -34,8 +34,9 @@ void append(const Surfels& from, const glm::dmat4& transform, Surfels& to);
 /// on the same surface say (kSurfaceStep in pixel_pieces.h; both sides or the one there is, else
 /// frontal). In its own camera it covers its pixel and reaches no neighbour's centre; u points
 /// right, v up, u x v to the viewer. Samples of a PointTexture do the same with the nearest sample
-/// of each neighbouring pixel. The last of 2 or 4 components becomes opacity; pixels whose opacity
-/// is 0 are left out.
+/// of each neighbouring pixel; where there are layers, they lie along their surface however steep
+/// it is (layer_leaning.h). The last of 2 or 4 components becomes opacity; pixels whose opacity is
+/// 0 are left out.
 ///
 /// threads   0 = all cores; the result is the same for any number
 /// Errors    those of check_depth_image; limit_exceeded: more than limits.memory / kSurfelBytes
