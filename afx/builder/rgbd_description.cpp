@@ -179,12 +179,18 @@ Status check_frames(const Json& top) {
   return {};
 }
 
-void warn_of_unknown(const Json& object, const std::string& prefix, Diagnostics& diagnostics) {
-  for (const auto& [key, value] : object.items()) {
+void warn_of_others(const Json& object, const std::string& prefix, Diagnostics& diagnostics) {
+  for (const auto& [key, value] : object.items())
     if (std::find(kMembers.begin(), kMembers.end(), key) == kMembers.end())
       diagnostics.warn("unknown_member", Place::none(), prefix + key + " is not known");
-    if (key == "intrinsics") warn_of_unknown(value, prefix + "intrinsics.", diagnostics);
-  }
+}
+
+// Of the object and its "intrinsics"; what is nested deeper is never read.
+void warn_of_unknown(const Json& object, const std::string& prefix, Diagnostics& diagnostics) {
+  warn_of_others(object, prefix, diagnostics);
+  const auto intrinsics = object.find("intrinsics");
+  if (intrinsics != object.end() && intrinsics->is_object())
+    warn_of_others(*intrinsics, prefix + "intrinsics.", diagnostics);
 }
 
 }  // namespace

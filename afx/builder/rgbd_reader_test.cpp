@@ -199,6 +199,17 @@ TEST_F(Rgbd, AFrameWithoutDepthsIsCountedInAWarning) {
   EXPECT_EQ(diagnostics_.warnings()[1].text, "1 of 1 frames have no valid depth");
 }
 
+TEST_F(Rgbd, OneLevelOfIntrinsicsIsReadHoweverDeepTheyNest) {
+  std::string nested;
+  for (int n = 0; n < 200000; ++n) nested += "{\"intrinsics\": ";
+  nested += "1" + std::string(200000, '}');
+  EXPECT_EQ(read_or_fail(with("", "\"intrinsics\": " + nested)).size(), 12U);
+  EXPECT_EQ(diagnostics_.count(), 0U);
+  read_or_fail(with("", "\"intrinsics\": {\"k1\": 0}"));
+  ASSERT_EQ(diagnostics_.count(), 1U);
+  EXPECT_EQ(diagnostics_.warnings()[0].text, "intrinsics.k1 is not known");
+}
+
 TEST_F(Rgbd, ErrorsNameTheMember) {
   const auto replaced = [](const std::string& what, const std::string& by) {
     std::string json = with("");
