@@ -6,16 +6,25 @@
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
+#include <numeric>
+#include <tuple>
 
 namespace afx {
 namespace {
 
-// The points as the tree wants to see them.
-struct Points {
-  std::span<const glm::vec3> points;
-  [[nodiscard]] size_t kdtree_get_point_count() const { return points.size(); }
-  [[nodiscard]] double kdtree_get_pt(size_t point, size_t axis) const {
-    return points[point][static_cast<int>(axis)];
+// Where points lie, one or several.
+struct Place {
+  glm::vec3 position;
+  uint32_t first;  // of its points, in the list of numbers
+};
+
+// The places as the tree wants to see them. No two are the same: a search would visit all points of
+// a place.
+struct Places {
+  std::vector<Place> list;
+  [[nodiscard]] size_t kdtree_get_point_count() const { return list.size(); }
+  [[nodiscard]] double kdtree_get_pt(size_t place, size_t axis) const {
+    return list[place].position[static_cast<int>(axis)];
   }
   template <class Box>
   bool kdtree_get_bbox(Box&) const {
@@ -23,20 +32,39 @@ struct Points {
   }
 };
 
-// Collects all that are equally near. The tree looks for points nearer than worstDist(), so that is
-// just beyond the distance of those found.
+// The numbers of points, those in one place next to each other and ascending.
+std::vector<uint32_t> by_place(std::span<const glm::vec3> points) {
+  std::vector<uint32_t> numbers(points.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  std::sort(numbers.begin(), numbers.end(), [&](uint32_t a, uint32_t b) {
+    const glm::vec3 &p = points[a], &q = points[b];
+    return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
+  });
+  return numbers;
+}
+
+std::vector<Place> places_of(std::span<const glm::vec3> points, std::span<const uint32_t> numbers) {
+  std::vector<Place> places;
+  for (uint32_t n = 0; n < numbers.size(); ++n)
+    if (const glm::vec3& at = points[numbers[n]]; places.empty() || places.back().position != at)
+      places.push_back({at, n});
+  return places;
+}
+
+// Collects all places that are equally near. The tree looks for points nearer than worstDist(), so
+// that is just beyond the distance of those found.
 class EquallyNear {
  public:
   explicit EquallyNear(NearestPoints::Nearest& found) : found_(found) {
     found_.squared = std::numeric_limits<double>::infinity();
   }
-  bool addPoint(double squared, uint32_t point) {
+  bool addPoint(double squared, uint32_t place) {
     if (squared > found_.squared) return true;  // the tree had asked before a nearer one was found
     if (squared < found_.squared) {
       found_.squared = squared;
       found_.count = 0;
     }
-    if (found_.count < found_.numbers.size()) found_.numbers[found_.count++] = point;
+    if (found_.count < found_.numbers.size()) found_.numbers[found_.count++] = place;
     return true;
   }
   [[nodiscard]] double worstDist() const {
@@ -50,11 +78,18 @@ class EquallyNear {
   NearestPoints::Nearest& found_;
 };
 
+// Adds the first few of some numbers.
+void append(std::span<const uint32_t> some, size_t most, std::vector<uint32_t>& numbers) {
+  const auto first = some.first(std::min(some.size(), most));
+  numbers.insert(numbers.end(), first.begin(), first.end());
+}
+
 }  // namespace
 
 class NearestPoints::Tree {
  public:
-  explicit Tree(std::span<const glm::vec3> points) : points_{points}, index_(3, points_) {}
+  explicit Tree(std::span<const glm::vec3> points)
+      : numbers_(by_place(points)), places_{places_of(points, numbers_)}, index_(3, places_) {}
 
   template <class Found>
   void search(const glm::dvec3& place, Found& found) const {
@@ -62,14 +97,21 @@ class NearestPoints::Tree {
     // safe.
     const nanoflann::SearchParams exact(0, -1e-6F, true);
     const double at[3] = {place.x, place.y, place.z};
-    if (!points_.points.empty()) index_.findNeighbors(found, at, exact);
+    if (!places_.list.empty()) index_.findNeighbors(found, at, exact);
   }
-  [[nodiscard]] size_t size() const { return points_.points.size(); }
+  [[nodiscard]] size_t places() const { return places_.list.size(); }
+
+  [[nodiscard]] std::span<const uint32_t> points_at(uint32_t place) const {
+    const size_t first = places_.list[place].first;
+    const size_t end = place + 1 < places() ? places_.list[place + 1].first : numbers_.size();
+    return std::span(numbers_).subspan(first, end - first);
+  }
 
  private:
-  using Distance = nanoflann::L2_Simple_Adaptor<double, Points, double, uint32_t>;
-  Points points_;
-  nanoflann::KDTreeSingleIndexAdaptor<Distance, Points, 3, uint32_t> index_;
+  using Distance = nanoflann::L2_Simple_Adaptor<double, Places, double, uint32_t>;
+  std::vector<uint32_t> numbers_;
+  Places places_;
+  nanoflann::KDTreeSingleIndexAdaptor<Distance, Places, 3, uint32_t> index_;
 };
 
 NearestPoints::NearestPoints(std::span<const glm::vec3> points)
@@ -81,19 +123,23 @@ NearestPoints::Nearest NearestPoints::nearest(const glm::dvec3& place) const {
   Nearest nearest;
   EquallyNear found(nearest);
   tree_->search(place, found);
-  std::sort(nearest.numbers.begin(),
-            nearest.numbers.begin() + static_cast<std::ptrdiff_t>(nearest.count));
+  std::vector<uint32_t> numbers;
+  for (const uint32_t at : nearest.points()) append(tree_->points_at(at), kMostEqual, numbers);
+  std::sort(numbers.begin(), numbers.end());
+  nearest.count = std::min(numbers.size(), kMostEqual);
+  std::copy_n(numbers.begin(), nearest.count, nearest.numbers.begin());
   return nearest;
 }
 
 std::vector<uint32_t> NearestPoints::nearest(const glm::dvec3& place, size_t count) const {
-  count = std::min(count, tree_->size());
-  std::vector<uint32_t> numbers(count);
-  std::vector<double> squared(count);
-  if (count == 0) return numbers;
-  nanoflann::KNNResultSet<double, uint32_t> found(count);
-  found.init(numbers.data(), squared.data());
+  const size_t most = std::min(count, tree_->places());
+  std::vector<uint32_t> places(most), numbers;
+  std::vector<double> squared(most);
+  if (most == 0) return numbers;
+  nanoflann::KNNResultSet<double, uint32_t> found(most);
+  found.init(places.data(), squared.data());
   tree_->search(place, found);
+  for (const uint32_t at : places) append(tree_->points_at(at), count - numbers.size(), numbers);
   return numbers;
 }
 

@@ -12,10 +12,10 @@
 namespace afx {
 
 /// Points arranged in a k-d tree to find the nearest ones. Searching changes nothing: for use by
-/// several threads at once. Memory: about 24 bytes a point.
+/// several threads at once. Memory: about 44 bytes a point.
 class NearestPoints {
  public:
-  /// So many points equally near are told; of more, those that are found first.
+  /// So many points equally near are told; of more in one place, those with the lowest numbers.
   static constexpr size_t kMostEqual = 32;
 
   /// The points at the smallest distance, most often one.
@@ -26,7 +26,7 @@ class NearestPoints {
     [[nodiscard]] std::span<const uint32_t> points() const { return {numbers.data(), count}; }
   };
 
-  /// points   finite, at most 2^32 - 1; they must stay where they are
+  /// points   finite, at most 2^32 - 1; any number of them may lie in one place
   explicit NearestPoints(std::span<const glm::vec3> points);
   ~NearestPoints();
   NearestPoints(const NearestPoints&) = delete;

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <random>
 
 namespace afx {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -45,7 +47,7 @@ TEST(NearestPoints, FindsWhatLookingAtAllFinds) {
       if (squared(points[i], place) == smallest) all.push_back(i);
     const NearestPoints::Nearest nearest = index.nearest(place);
     EXPECT_EQ(nearest.squared, smallest);
-    EXPECT_THAT(nearest.points(), ::testing::ElementsAreArray(all));
+    EXPECT_THAT(nearest.points(), ElementsAreArray(all));
   }
 }
 
@@ -56,9 +58,29 @@ TEST(NearestPoints, GivesTheFirstFewFromNearToFar) {
   EXPECT_THAT(index.nearest({0, 0, 0}, 9), SizeIs(4));
 }
 
-TEST(NearestPoints, TellsOfManyEqualOnesOnlySome) {
-  const std::vector<glm::vec3> points(1000, glm::vec3(1, 2, 3));
-  EXPECT_THAT(NearestPoints(points).nearest({0, 0, 0}).points(), SizeIs(NearestPoints::kMostEqual));
+TEST(NearestPoints, TellsOfManyInOnePlaceTheFirst) {
+  std::vector<glm::vec3> points(1000, glm::vec3(1, 2, 3));
+  points[0] = {-1, -2, -3};  // as far from the origin
+  std::vector<uint32_t> first(NearestPoints::kMostEqual);
+  std::iota(first.begin(), first.end(), 0U);
+  EXPECT_THAT(NearestPoints(points).nearest({0, 0, 0}).points(), ElementsAreArray(first));
+}
+
+TEST(NearestPoints, GivesThePointsOfOnePlaceTogetherWithTheirNumbersAscending) {
+  const std::vector<glm::vec3> points = {{2, 0, 0}, {0, 0, 0}, {2, 0, 0}, {-0.0F, 0, 0}, {1, 0, 0}};
+  const NearestPoints index(points);
+  EXPECT_THAT(index.nearest({0, 0, 0}, 4), ElementsAre(1, 3, 4, 0));
+  EXPECT_THAT(index.nearest({3, 0, 0}, 9), ElementsAre(0, 2, 4, 1, 3));
+}
+
+// Where a search visits all of them this takes a minute.
+TEST(NearestPoints, ManyPointsInOnePlaceTakeNoLongerThanOne) {
+  const std::vector<glm::vec3> points(100000, glm::vec3(1, 2, 3));
+  const NearestPoints index(points);
+  for (size_t i = 0; i < points.size(); ++i) {
+    ASSERT_EQ(index.nearest({1, 2, 3}).count, NearestPoints::kMostEqual);
+    ASSERT_THAT(index.nearest({1, 2, 3}, 2), ElementsAre(0, 1));
+  }
 }
 
 TEST(NearestPoints, OfNoneAreNone) {
