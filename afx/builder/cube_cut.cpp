@@ -115,21 +115,12 @@ PointCloud inside_of_cube(const PointCloud& cloud, const Grid& grid, uint64_t& o
   PointCloud result;
   result.origin = cloud.origin;
   for (size_t i = 0; i < cloud.positions.size(); ++i) {
-    if (!grid.holds(cloud.positions[i])) continue;
+    if (!grid.holds(glm::dvec3(cloud.positions[i]))) continue;
     result.positions.push_back(cloud.positions[i]);
     if (!cloud.colours.empty()) result.colours.push_back(cloud.colours[i]);
     if (!cloud.normals.empty()) result.normals.push_back(cloud.normals[i]);
   }
   outside = cloud.positions.size() - result.positions.size();
-  return result;
-}
-
-Surfels inside_of_cube(const Surfels& surfels, const Grid& grid, uint64_t& outside) {
-  Surfels result;
-  for (size_t i = 0; i < surfels.size(); ++i)
-    if (grid.holds(glm::vec3(surfels.centres[i])))
-      result.push_back(surfels.centres[i], surfels.u[i], surfels.v[i], surfels.colours[i]);
-  outside = surfels.size() - result.size();
   return result;
 }
 

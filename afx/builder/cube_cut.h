@@ -8,7 +8,6 @@
 
 #include "afx/builder/grid.h"
 #include "afx/builder/mesh.h"
-#include "afx/surfels.h"
 
 namespace afx {
 
@@ -19,9 +18,5 @@ Mesh inside_of_cube(const Mesh& mesh, const Cube& cube, uint64_t& outside);
 /// The points that a grid holds; the origin is left as it is.
 /// outside   becomes the number of the others
 PointCloud inside_of_cube(const PointCloud& cloud, const Grid& grid, uint64_t& outside);
-
-/// The pieces whose centres a grid holds.
-/// outside   becomes the number of the others
-Surfels inside_of_cube(const Surfels& surfels, const Grid& grid, uint64_t& outside);
 
 }  // namespace afx

@@ -51,11 +51,11 @@ Grid::Grid(const Cube& cube, uint32_t wanted)
       rounding(0),
       last(last_fixed(levels)) {}
 
-glm::dvec3 Grid::to_voxels(const glm::vec3& point) const {
-  return (glm::dvec3(point) - object_centre) * scale + glm::dvec3(middle);
+glm::dvec3 Grid::to_voxels(const glm::dvec3& point) const {
+  return (point - object_centre) * scale + glm::dvec3(middle);
 }
 
-bool Grid::holds(const glm::vec3& point) const {
+bool Grid::holds(const glm::dvec3& point) const {
   const glm::dvec3 place = to_voxels(point);
   const double end = std::ldexp(1.0, static_cast<int>(levels));
   const auto is_in = [&](double v) { return v >= 0 && v < end; };
@@ -63,7 +63,7 @@ bool Grid::holds(const glm::vec3& point) const {
 }
 
 glm::ivec3 Grid::to_fixed(const glm::vec3& point) const {
-  const glm::dvec3 place = to_voxels(point) * static_cast<double>(kSubvoxels);
+  const glm::dvec3 place = to_voxels(glm::dvec3(point)) * static_cast<double>(kSubvoxels);
   const glm::dvec3 rounded = glm::floor(place + rounding);
   return glm::ivec3(glm::clamp(rounded, glm::dvec3(0), glm::dvec3(last)));
 }

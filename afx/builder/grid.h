@@ -45,10 +45,10 @@ struct Grid {
   Grid(const Cube& cube, uint32_t resolution);
 
   /// A point of the object in voxels.
-  [[nodiscard]] glm::dvec3 to_voxels(const glm::vec3& point) const;
+  [[nodiscard]] glm::dvec3 to_voxels(const glm::dvec3& point) const;
 
   /// Whether a point lies in the octree's cube, the upper borders not in it.
-  [[nodiscard]] bool holds(const glm::vec3& point) const;
+  [[nodiscard]] bool holds(const glm::dvec3& point) const;
 
   /// A point in fixed point. Where an object that was fitted ends on a border between voxels, its
   /// end is taken back by one unit: the surface there sets the last voxel inside, not the first one

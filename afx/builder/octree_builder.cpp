@@ -106,13 +106,6 @@ Result<BuiltOctree> build_from(const PointCloud& cloud, const Grid& grid,
                 cloud.positions.size(), cloud.origin);
 }
 
-Result<BuiltOctree> build_from(const Surfels& surfels, const Grid& grid,
-                               const BuildOptions& options) {
-  Result<SurfaceVoxels> voxels = voxelize(surfels, grid, options.threads, options.limits);
-  if (!voxels.ok()) return voxels.error();
-  return finish(std::move(voxels).value(), grid, options, Colouring::painted, surfels.size(), {});
-}
-
 }  // namespace
 
 Result<BuiltOctree> build_octree(const Mesh& mesh, const BuildOptions& options,
@@ -147,14 +140,15 @@ Result<BuiltOctree> build_octree(const Surfels& surfels, const BuildOptions& opt
                                  Diagnostics& diagnostics) {
   if (Status status = check_options(options); !status.ok()) return status.error();
   if (surfels.size() == 0) return refused("the model has no samples");
-  if (!options.cube)
-    return build_from(surfels, Grid(bounds_of(surfels), options.resolution), options);
-  const Grid grid(*options.cube, options.resolution);
+  const Grid grid = options.cube ? Grid(*options.cube, options.resolution)
+                                 : Grid(bounds_of(surfels), options.resolution);
   uint64_t outside = 0;
-  const Surfels inside = inside_of_cube(surfels, grid, outside);
-  if (inside.size() == 0) return nothing_inside();
-  warn_outside(outside, "samples lie outside of the cube", diagnostics);
-  return build_from(inside, grid, options);
+  Result<SurfaceVoxels> voxels = voxelize(surfels, grid, options.threads, options.limits, outside);
+  if (!voxels.ok()) return voxels.error();
+  if (voxels.value().codes.empty())
+    return options.cube ? nothing_inside() : refused("nothing of the model can be seen");
+  if (options.cube) warn_outside(outside, "samples reach out of the cube", diagnostics);
+  return finish(std::move(voxels).value(), grid, options, Colouring::painted, surfels.size(), {});
 }
 
 }  // namespace afx

@@ -84,8 +84,9 @@ struct BuiltOctree {
 /// Builds an OctreeImage. The object is centred in the cube, its longest side `resolution` voxels;
 /// a voxel is set where the surface passes through it (a surface just between two voxels sets one
 /// of them). Pixels of the images carry colours filtered over the surface in a voxel, in linear
-/// light. Errors  bad_argument: an option out of range, no triangles or points, none of them in the
-///         cube;
+/// light.
+/// Errors  bad_argument: an option out of range, no triangles, points or pieces, nothing of them in
+///         the cube, or all of it transparent;
 ///         limit_exceeded: more voxels than limits.octree_nodes or memory than limits.memory
 Result<BuiltOctree> build_octree(const Mesh& mesh, const BuildOptions& options,
                                  Diagnostics& diagnostics);

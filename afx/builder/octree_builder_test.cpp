@@ -369,6 +369,42 @@ TEST(BuildOctree, LeavesOutWhatLiesOutsideOfTheCube) {
             "1 points lie outside of the cube; what lies outside is left out");
 }
 
+TEST(BuildOctree, OfPiecesKeepsWhatLiesInTheCubeToTheLastDigit) {
+  const double far = 1e9, end = std::nextafter(far + 8, 0.0);  // single precision has far + 64 next
+  Surfels surfels;
+  surfels.push_back({far + 0.5, 0.5, 0.5}, {}, {}, {9, 9, 9, 255});
+  surfels.push_back({end, 7.5, 7.5}, {}, {}, {9, 9, 9, 255});
+  surfels.push_back({far + 8.5, 4, 4}, {}, {}, {9, 9, 9, 255});
+  surfels.push_back({far - 3, 4.5, 4.5}, {3.5F, 0, 0}, {0, 0.4F, 0}, {9, 9, 9, 255});
+  BuildOptions options{.resolution = 8};
+  options.cube = Cube{{far + 4, 4, 4}, 8};
+  Diagnostics diagnostics;
+  const auto built = build_octree(surfels, options, diagnostics);
+  ASSERT_TRUE(built.ok()) << built.error().text;
+  EXPECT_EQ(built.value().statistics.voxels, 3U);
+  ASSERT_EQ(diagnostics.warnings().size(), 1U);
+  EXPECT_EQ(diagnostics.warnings()[0].code, "outside_cube");
+  EXPECT_EQ(diagnostics.warnings()[0].text,
+            "2 samples reach out of the cube; what lies outside is left out");
+}
+
+TEST(BuildOctree, OfPiecesNeedsOneThatCanBeSeen) {
+  Surfels surfels;
+  surfels.push_back({1, 2, 3}, {}, {}, {9, 9, 9, 0});
+  Diagnostics diagnostics;
+  BuildOptions options{.resolution = 8};
+  const auto text = [&] {
+    const auto built = build_octree(surfels, options, diagnostics);
+    return built.ok() ? std::string() : built.error().text;
+  };
+  EXPECT_EQ(text(), "nothing of the model can be seen");
+  surfels.push_back({1, 2, 3}, {2000, 0, 0}, {0, 2000, 0}, {});  // endless for a cube of 8
+  EXPECT_EQ(text(), "nothing of the model can be seen");
+  options.cube = Cube{{9000, 9000, 9000}, 8};
+  EXPECT_EQ(text(), "nothing of the model lies in the cube");
+  EXPECT_EQ(diagnostics.count(), 0U);
+}
+
 TEST(BuildOctree, RefusesWhatItCannotBuild) {
   Diagnostics diagnostics;
   const auto code = [&](const auto& input, const BuildOptions& options) {

@@ -79,7 +79,7 @@ SurfaceColour::Piece SurfaceColour::piece(size_t triangle) const {
   piece.triangle = triangle;
   piece.alpha_cutoff = static_cast<double>(paint_.material(triangle).alpha_cutoff);
   for (int k = 0; k < 3; ++k)
-    piece.corners[static_cast<size_t>(k)] = grid_.to_voxels(mesh_.positions[v[k]]);
+    piece.corners[static_cast<size_t>(k)] = grid_.to_voxels(glm::dvec3(mesh_.positions[v[k]]));
   const glm::dvec3 across =
       glm::cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0]);
   const double doubled = glm::length(across);

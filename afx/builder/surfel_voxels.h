@@ -18,13 +18,15 @@ namespace afx {
 /// across the middle of its voxel was made from one (surfel_sources.h) and sets it alone: so an
 /// octree taken to surfels and back in the same cube is the same.
 ///
-/// Left out: pieces with opacity 0, those whose centre lies outside of the cube, and those longer
-/// than four cubes. What of a piece reaches out of the cube is pressed against its side.
+/// Left out: pieces with opacity 0, and what lies outside of the cube by more than 1/512 voxel:
+/// longer pieces are cut along its sides.
 ///
 /// threads   0 = all cores; the result is the same for any number
-/// Memory    that of voxelize() and 128 bytes for each piece longer than a voxel
+/// outside   becomes the number of pieces with opacity that lay outside, wholly or in part; those
+///           longer than 256 cubes count as wholly outside
+/// Memory    that of voxelize() and 256 bytes for each piece longer than a voxel
 /// Errors    those of voxelize()
 Result<SurfaceVoxels> voxelize(const Surfels& surfels, const Grid& grid, unsigned threads,
-                               const Limits& limits);
+                               const Limits& limits, uint64_t& outside);
 
 }  // namespace afx

@@ -23,7 +23,8 @@ Grid unit_grid(unsigned levels) {
 }
 
 SurfaceVoxels voxels_or_fail(const Surfels& surfels, const Grid& grid, unsigned threads = 1) {
-  auto voxels = voxelize(surfels, grid, threads, {});
+  uint64_t outside = 0;
+  auto voxels = voxelize(surfels, grid, threads, {}, outside);
   EXPECT_TRUE(voxels.ok()) << voxels.error().text;
   return voxels.ok() ? voxels.value() : SurfaceVoxels{};
 }
@@ -126,7 +127,7 @@ TEST(SurfelVoxels, PointsAndLongPiecesInOneVoxelAreAveraged) {
   EXPECT_EQ(at({7, 2, 2}), (Rgba8{0, 0, 255, 255}));
 }
 
-TEST(SurfelVoxels, LeaveOutWhatIsTransparentOutsideOrEndless) {
+TEST(SurfelVoxels, LeaveOutWhatIsTransparentAndCountWhatIsOutsideOrEndless) {
   Surfels surfels;
   const glm::vec3 none(0);
   surfels.push_back({2.5, 2.5, 2.5}, none, none, {1, 1, 1, 0});
@@ -134,7 +135,30 @@ TEST(SurfelVoxels, LeaveOutWhatIsTransparentOutsideOrEndless) {
   surfels.push_back({2.5, 8.5, 2.5}, none, none, {});
   surfels.push_back({2.5, std::numeric_limits<double>::quiet_NaN(), 2.5}, none, none, {});
   surfels.push_back({2.5, 2.5, 2.5}, {1e30F, 0, 0}, {0, 1, 0}, {});
-  EXPECT_TRUE(voxels_or_fail(surfels, unit_grid(3)).codes.empty());
+  uint64_t outside = 0;
+  const auto voxels = voxelize(surfels, unit_grid(3), 1, {}, outside);
+  ASSERT_TRUE(voxels.ok());
+  EXPECT_TRUE(voxels.value().codes.empty());
+  EXPECT_EQ(outside, 4U);
+}
+
+TEST(SurfelVoxels, OfWhatReachesOutOfTheCubeOnlyTheInsideIsSet) {
+  Surfels surfels;
+  // A slope from z = 0 at x = 4.5 through the side x = 8 at z = 3.5 to z = 60.
+  surfels.push_back({34.5, 4.5, 30}, {30, 0, 30}, {0, 0.4F, 0}, {});
+  // Beside the cube: its end at y = 0.5 looks in at x = 1.
+  surfels.push_back({1.5, -3.5, 7.5}, {0, 4, 0}, {0.4F, 0, 0}, {});
+  surfels.push_back({4, 4, 8.5}, {4, 0, 0}, {0, 4, 0}, {});  // above it
+  uint64_t outside = 0;
+  const auto voxels = voxelize(surfels, unit_grid(3), 1, {}, outside);
+  ASSERT_TRUE(voxels.ok());
+  std::vector<Voxel> expected = {{1, 0, 7}};
+  for (uint32_t n = 0; n < 4; ++n) {
+    expected.push_back({4 + n, 4, n});
+    if (n > 0) expected.push_back({4 + n, 4, n - 1});
+  }
+  EXPECT_EQ(voxels.value().codes, codes_of(expected));
+  EXPECT_EQ(outside, 3U);
 }
 
 TEST(SurfelVoxels, FarFromTheOriginKeepTheirPlace) {
@@ -158,13 +182,14 @@ TEST(SurfelVoxels, KeepToTheLimitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.colours, three.colours);
   Limits limits;
   limits.octree_nodes = 63;
-  const auto many = voxelize(surfels, unit_grid(3), 1, limits);
+  uint64_t outside = 0;
+  const auto many = voxelize(surfels, unit_grid(3), 1, limits, outside);
   ASSERT_FALSE(many.ok());
   EXPECT_EQ(many.error().text,
             "the surface has more voxels than the limit (a lower resolution has fewer)");
   limits = {};
   limits.memory = 128;
-  const auto memory = voxelize(surfels, unit_grid(3), 1, limits);
+  const auto memory = voxelize(surfels, unit_grid(3), 1, limits, outside);
   ASSERT_FALSE(memory.ok());
   EXPECT_EQ(memory.error().text, "the pieces of surface take more memory than the limit");
 }
