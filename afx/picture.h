@@ -36,23 +36,7 @@ struct Rgba8 {
   bool operator==(const Rgba8&) const = default;
 };
 
-/// The colour of the pixel in column x of row y, row 0 at the top: grey fills all three, alpha is
-/// handed over as it is. picture   1 to 4 components
-[[nodiscard]] inline Rgba8 colour_at(const Picture& picture, uint32_t x, uint32_t y) {
-  const uint8_t* p = picture.pixel(x, y);
-  switch (picture.components) {
-    case 1:
-      return {p[0], p[0], p[0], 255};
-    case 2:
-      return {p[0], p[0], p[0], p[1]};
-    case 3:
-      return {p[0], p[1], p[2], 255};
-    default:
-      return {p[0], p[1], p[2], p[3]};
-  }
-}
-
-/// The same with 16 bits a sample; depth pictures are read into it as they are stored.
+/// A picture with 16 bits a sample; depth pictures are read into it as they are stored.
 struct DeepPicture {
   uint32_t width = 0;
   uint32_t height = 0;
@@ -68,5 +52,23 @@ struct FloatPicture {
   uint32_t components = 0;
   std::vector<float> samples;  ///< height * width * components; may be infinite or NaN
 };
+
+/// The colour of the pixel in column x of row y, row 0 at the top: grey fills all three, alpha is
+/// handed over as it is.
+///
+/// picture   1 to 4 components
+[[nodiscard]] inline Rgba8 colour_at(const Picture& picture, uint32_t x, uint32_t y) {
+  const uint8_t* p = picture.pixel(x, y);
+  switch (picture.components) {
+    case 1:
+      return {p[0], p[0], p[0], 255};
+    case 2:
+      return {p[0], p[0], p[0], p[1]};
+    case 3:
+      return {p[0], p[1], p[2], 255};
+    default:
+      return {p[0], p[1], p[2], p[3]};
+  }
+}
 
 }  // namespace afx

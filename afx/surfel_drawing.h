@@ -21,7 +21,7 @@ namespace afx {
 ///
 /// What is nearest in a pixel is shown, together with pieces not farther behind than a pixel is
 /// wide and the piece is long: their colours are averaged in linear light, with weights
-///   min(1, a) / (d^2 + max(0, 1 - a) + 10^-6),
+///   max(10^-3, min(1, a)) / (d^2 + max(0, 1 - a) + 10^-6),
 /// d the distance of a piece's centre from the pixel's in pixels and a the area it takes on the
 /// picture. So of pieces as large as pixels the best placed one counts (surfels of a DepthImage
 /// give its pixels back in its own camera), and many small ones are averaged. Pieces that face away
@@ -30,9 +30,10 @@ namespace afx {
 ///
 /// depth_bits  1..16
 /// threads     0 = all cores; the result is the same for any number
-/// Returns   RGB, or RGBA where there is a piece that is not opaque; black where nothing is seen
-/// Errors    bad_argument: those of check_depth_camera, a size of 0, depth_bits; limit_exceeded:
-///           limits.picture_pixels, limits.memory, kMostSurfelPixels (surfel_footprint.h)
+/// Returns     RGB, or RGBA where there is a piece that is not opaque; black where nothing is seen
+/// Errors      bad_argument: those of check_depth_camera, a size of 0, depth_bits;
+///             limit_exceeded: limits.picture_pixels, limits.memory, more pixels touched than
+///             surfel_footprint.h allows
 Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
                                 uint32_t height, unsigned depth_bits, unsigned threads,
                                 const Limits& limits);

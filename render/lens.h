@@ -45,8 +45,8 @@ struct Lens {
   double focal;       ///< samples for each unit of length, in perspective at distance 1
   glm::dvec2 middle;  ///< of the picture
   glm::dvec2 slope;   ///< perspective: of the sides of the view
-  glm::dvec2
-      secant;  ///< sqrt(1 + slope^2): how far beyond a side a ball's centre may lie, per radius
+  /// sqrt(1 + slope^2): how far beyond a side a ball's centre may lie, for each radius.
+  glm::dvec2 secant;
 };
 
 }  // namespace afx::render

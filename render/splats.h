@@ -23,8 +23,8 @@ struct Splat {
   float x, y, radius;
   float depth;  ///< of its centre
   float bulge;  ///< how much deeper a disc's rim lies; between, the depth goes with the square
-  float
-      tolerance;  ///< what lies this much behind the nearest one still belongs to the same surface
+  /// What lies this much behind the nearest one still belongs to the same surface.
+  float tolerance;
   Rgba8 colour;
 };
 

@@ -45,8 +45,8 @@ struct Mesh {
 
 /// Points with or without colours and normals; arrays are empty or as long as `positions`.
 struct PointCloud {
-  glm::dvec3 origin{0, 0,
-                    0};  ///< what was taken off the file's coordinates, to keep their precision
+  /// What was taken off the file's coordinates, to keep their precision.
+  glm::dvec3 origin{0, 0, 0};
   std::vector<glm::vec3> positions;  ///< finite
   std::vector<Rgba8> colours;        ///< sRGB
   std::vector<glm::vec3> normals;    ///< of any length; (0, 0, 0) where unknown

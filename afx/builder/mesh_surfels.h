@@ -14,13 +14,11 @@ namespace afx {
 /// from its normal and the pieces lie at most 1.73 pixels apart. All layers, not only the nearest;
 /// colours as MeshLook has them; where triangles touch or overlap both are kept.
 ///
-/// resolution   cells of the grids along the longest side of the mesh, 1..65535. The grid along z
-/// is
-///              that of view_from(+z) with this resolution: pieces seen along z lie at the centres
-///              of its pixels
-/// Memory       kSurfelBytes a piece twice
-/// Errors   limit_exceeded: more pieces than limits.memory holds, more than 65536 cells along a
-/// side
+/// resolution  cells of the grids along the longest side of the mesh, 1..65535. The grid along z
+///             is that of view_from(+z) with this resolution: pieces seen along z lie at the
+///             centres of its pixels
+/// Memory      kSurfelBytes a piece twice
+/// Errors      limit_exceeded: more pieces than limits.memory holds
 Result<Surfels> surfels_of(const MeshLook& look, uint32_t resolution, unsigned threads,
                            const Limits& limits);
 

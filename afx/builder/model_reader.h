@@ -35,11 +35,10 @@ Result<SourceModel> read_source_model(const std::string& path, const Limits& lim
 /// Warnings  texture_missing, texture_unreadable, skipped_primitives (lines and points), non_finite
 ///           (vertices whose triangles are left out), bad_index, transparent (triangles left out
 ///           that cannot be seen), alpha_blending (materials meant to shine through)
-/// Errors    io: the file cannot be opened or is no regular file; unsupported: Assimp has no reader
-/// for it; malformed: Assimp's own message,
-///           or no triangles; limit_exceeded: file size, mesh beyond limits.memory, nested too
-///           deeply; truncated: shorter than its counts (mesh_screen.h); no_memory; not_available
-///           (see picture_io.h)
+/// Errors    io: the file cannot be opened or is no regular file; unsupported: Assimp has no
+///           reader for it; malformed: Assimp's own message, or no triangles; limit_exceeded: file
+///           size, mesh beyond limits.memory, nested too deeply; truncated: shorter than its counts
+///           (mesh_screen.h); no_memory; not_available (see picture_io.h)
 Result<Mesh> read_mesh(const std::string& path, const Limits& limits, Diagnostics& diagnostics);
 
 /// Whether `bytes` begin like a PLY file, and if so whether it has faces (or strips) to draw.
@@ -52,8 +51,7 @@ PlyKind ply_kind(std::span<const uint8_t> bytes);
 ///
 /// Warnings  non_finite (points left out)
 /// Errors    malformed: the header or a number (with line), no x y z, no vertices; truncated: with
-/// the byte;
-///           limit_exceeded: points beyond limits.memory
+///           the byte; limit_exceeded: points beyond limits.memory
 Result<PointCloud> read_ply_points(std::span<const uint8_t> bytes, const Limits& limits,
                                    Diagnostics& diagnostics);
 

@@ -42,9 +42,9 @@ struct BuildOptions {
   std::optional<double> symbol_price = {};
   ImageCoder coder = ImageCoder::png;  ///< that the images are meant for: what free pixels show
   unsigned threads = 0;                ///< 0 = all cores; the result is the same for any number
-  /// The cube to build in, in the coordinates of the input: 2^levels voxels
-  /// a side, levels those of the resolution; what lies outside is left out and counted in a warning
-  /// ("outside_cube"). Without it the object is fitted in.
+  /// The cube to build in, in the coordinates of the input: 2^levels voxels a side, levels those of
+  /// the resolution; what lies outside is left out and counted in a warning ("outside_cube").
+  /// Without it the object is fitted in.
   std::optional<Cube> cube = {};
   Shade shade = Shade::automatic;
   /// Called as the work goes on with a stage's name and 0..1 of the whole, from any thread but from

@@ -79,9 +79,11 @@ struct DrawnView {
   std::vector<bool> drawn;  ///< the pixels that show the object; the others are black
   std::vector<bool> seen;   ///< the voxels that their pixel shows
 };
+
 /// Draws the voxels as a camera sees them: a pixel carries the mean of the voxels seen whose
-/// centres fall on it, without such one the colour of the first voxel that covers it. coordinates,
-/// colours   parallel
+/// centres fall on it, without such one the colour of the first voxel that covers it.
+///
+/// coordinates, colours   parallel
 DrawnView draw_view(const ReferenceView& view, std::span<const Voxel> coordinates,
                     std::span<const Rgba8> colours);
 

@@ -27,7 +27,9 @@ struct ViewOptions {
 double longest_side(const ViewSource& source);
 
 /// Directions from the model to the camera, evenly spread: 6 are those of a box (reference_name());
-/// any other number lies on a spiral from top to bottom (Fibonacci lattice). count   1..kMostViews
+/// any other number lies on a spiral from top to bottom (Fibonacci lattice).
+///
+/// count   1..kMostViews
 std::vector<glm::dvec3> even_directions(unsigned count);
 
 /// The view from a direction that just holds the model. Pixels are squares whose side is the

@@ -22,8 +22,8 @@ struct Shot {
   uint32_t width = 0, height = 0;
 };
 
-/// A model that cameras can look at: a mesh (mesh_look.h) or pieces of surface (surfel_look.h). For
-/// use by one thread at a time; works with several itself.
+/// A model that cameras can look at: a mesh or pieces of surface (view_sources.h). For use by one
+/// thread at a time; works with several itself.
 class ViewSource {
  public:
   virtual ~ViewSource() = default;

@@ -33,15 +33,17 @@ struct SurfaceVoxels {
 /// mesh      as its invariants say
 /// threads   0 = all cores; the result is the same for any number
 /// done      called with 0..1 as the work goes on, from any thread, one at a time; may be empty
-/// Memory    24 bytes a voxel twice, 8 for each triangle in each block of 32 x 32 x 32 voxels that
-/// it meets
+/// Memory    24 bytes a voxel twice, 8 for each triangle in each block of 32 x 32 x 32 voxels
+///           that it meets
 /// Errors    limit_exceeded: more voxels than limits.octree_nodes, memory beyond limits.memory;
 ///           bad_argument: all of the surface is transparent
 Result<SurfaceVoxels> voxelize(const Mesh& mesh, const Grid& grid, unsigned threads,
                                const Limits& limits, const std::function<void(double)>& done = {});
 
 /// The voxels that points lie in, with the mean of their colours (white without colours) and
-/// normals. Errors    as for meshes
+/// normals.
+///
+/// Errors    as for meshes
 Result<SurfaceVoxels> voxelize(const PointCloud& cloud, const Grid& grid, const Limits& limits);
 
 }  // namespace afx
