@@ -17,6 +17,15 @@
 namespace afx {
 namespace {
 
+// Two grids meet without a gap only where both sample: so along every axis that a triangle faces
+// nearly as much as the one it faces most.
+bool faces(const glm::dvec3& normal, int axis) {
+  constexpr double kNearly = 0.9;
+  const glm::dvec3 part = glm::abs(normal);
+  const double most = std::max({part.x, part.y, part.z});
+  return most > 0 && part[axis] >= kNearly * most;
+}
+
 // The pieces of the triangles that face one axis.
 class AxisSampler {
  public:
@@ -60,7 +69,7 @@ class AxisSampler {
         texels = look_.texel_density(f.triangle) * pixel_ * pixel_ /
                  std::max(0.5, std::abs(normal[axis_]));
       }
-      if (main_axis(normal) != axis_ || normal == glm::dvec3(0)) return;
+      if (!faces(normal, axis_)) return;
       const SeenSurface seen{f.distance, f.triangle, static_cast<float>(f.b),
                              static_cast<float>(f.c)};
       if (!look_.is_there(seen)) return;

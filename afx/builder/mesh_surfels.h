@@ -10,9 +10,10 @@
 namespace afx {
 
 /// A mesh as pieces of surface on three grids of lines of sight, those along x, y and z: each
-/// triangle is sampled along the axis that it faces most, so none is seen at more than 55 degrees
-/// from its normal and the pieces lie at most 1.73 pixels apart. All layers, not only the nearest;
-/// colours as MeshLook has them; where triangles touch or overlap both are kept.
+/// triangle is sampled along the axis that it faces most, and along others that it faces at least
+/// 0.9 times as much, so that the grids leave no gap where they meet. None is seen at more than 58
+/// degrees from its normal. All layers, not only the nearest; colours as MeshLook has them; where
+/// triangles touch or overlap both are kept.
 ///
 /// resolution  cells of the grids along the longest side of the mesh, 1..65535. The grid along z
 ///             is that of view_from(+z) with this resolution: pieces seen along z lie at the

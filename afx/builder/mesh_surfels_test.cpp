@@ -27,7 +27,7 @@ TEST(MeshSurfels, ABoxIsSampledOnceForEachCellOfItsSides) {
   }
 }
 
-TEST(MeshSurfels, TogetherHaveTheAreaOfTheSurface) {
+TEST(MeshSurfels, TogetherHaveTheAreaOfTheSurfaceAndALittleMoreWhereGridsMeet) {
   const Mesh sphere = sphere_mesh(5);
   const MeshLook look(sphere, Shade::never);
   const auto surfels = surfels_of(look, 100, 2, {});
@@ -39,7 +39,8 @@ TEST(MeshSurfels, TogetherHaveTheAreaOfTheSurface) {
     EXPECT_NEAR(glm::length(surfels.value().centres[i]), 1, 2e-3);
     EXPECT_GT(glm::dot(glm::dvec3(across), surfels.value().centres[i]), 0);
   }
-  EXPECT_NEAR(area, 4 * 3.14159, 0.06);
+  EXPECT_GT(area, 4 * 3.14159 - 0.06);
+  EXPECT_LT(area, 4 * 3.14159 * 1.15);  // strips of 3 degrees along the borders of six faces
 }
 
 TEST(MeshSurfels, AreTheSameForAnyNumberOfThreads) {
