@@ -68,6 +68,7 @@ Result<BuiltScene> build_depth_scene(ModelInput&& model, const BuildJob& job) {
   options.shots = views.value().shots;
   options.coverage = job.command.coverage;
   options.progress = [&](const char* stage, double done) { job.bar.show(stage, done); };
+  options.limits = job.session.limits;
   const auto built = build_depth_images(looked_at.value()->views(), options);
   if (!built.ok()) return built.error();
   BuiltScene scene;

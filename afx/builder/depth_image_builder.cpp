@@ -22,6 +22,18 @@ Status check_options(const DepthImageOptions& options) {
   return {};
 }
 
+Status check_memory(const std::vector<Shot>& shots, const Limits& limits) {
+  constexpr uint64_t kPixelBytes = 5;  // colour and depth
+  uint64_t bytes = 0;
+  for (const Shot& shot : shots)
+    bytes += std::min(uint64_t{shot.width} * shot.height, uint64_t{1} << 50) * kPixelBytes;
+  if (bytes <= limits.memory) return {};
+  return Error{Errc::limit_exceeded, Place::none(),
+               "the pictures of " + std::to_string(shots.size()) + " views take " +
+                   std::to_string(bytes) + " bytes (expected at most " +
+                   std::to_string(limits.memory) + ")"};
+}
+
 class DepthImageBuilder {
  public:
   DepthImageBuilder(const ViewSource& source, const DepthImageOptions& options)
@@ -35,6 +47,7 @@ class DepthImageBuilder {
       meter_ = std::move(meter).value();
     }
     const std::vector<Shot> shots = views();
+    if (Status fits = check_memory(shots, options_.limits); !fits.ok()) return fits.error();
     const double before = measured ? 0.5 : 0;
     for (const Shot& shot : shots) {
       report("drawing pictures", before + (1 - before) * static_cast<double>(built_.images.size()) /

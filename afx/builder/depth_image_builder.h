@@ -15,6 +15,7 @@
 #include "afx/builder/view_source.h"
 #include "afx/depth_image.h"
 #include "codec/error.h"
+#include "codec/limits.h"
 
 namespace afx {
 
@@ -31,6 +32,7 @@ struct DepthImageOptions {
   bool coverage = false;  ///< measure it (always done for views = 0): takes the time of 128 views
   /// Called as the work goes on with a stage's name and 0..1 of the whole.
   std::function<void(const char* stage, double done)> progress = {};
+  Limits limits = {};  ///< memory: of all pictures together
 };
 
 struct BuiltDepthImages {
@@ -41,8 +43,9 @@ struct BuiltDepthImages {
 };
 
 /// Takes the pictures.
-/// Errors  bad_argument: options out of range; those of the source (a camera of `shots` that cannot
-///         be, limits)
+/// Memory  5 bytes for each of their pixels, and what the source needs for one of them
+/// Errors  bad_argument: options out of range; limit_exceeded: all pictures take more than
+///         limits.memory; those of the source (a camera of `shots` that cannot be, limits)
 Result<BuiltDepthImages> build_depth_images(const ViewSource& source,
                                             const DepthImageOptions& options);
 

@@ -59,6 +59,21 @@ TEST_F(DepthImageBuilderTest, UnseenPixelsContinueTheirSurroundings) {
   }
 }
 
+TEST_F(DepthImageBuilderTest, AllPicturesTogetherKeepToTheLimit) {
+  Limits limits;
+  limits.memory = 6 * 32 * 32 * 5;
+  EXPECT_TRUE(build_depth_images(views_, {.resolution = 32, .limits = limits}).ok());
+  --limits.memory;
+  const auto built = build_depth_images(views_, {.resolution = 32, .limits = limits});
+  ASSERT_FALSE(built.ok());
+  EXPECT_EQ(built.error().code, Errc::limit_exceeded);
+  EXPECT_EQ(built.error().text,
+            "the pictures of 6 views take 30720 bytes (expected at most 30719)");
+  // Twelve times the memory that there may be, but no picture that is too large by itself.
+  EXPECT_EQ(build_depth_images(views_, {.resolution = 4096, .views = 255}).error().code,
+            Errc::limit_exceeded);
+}
+
 TEST_F(DepthImageBuilderTest, RefusesOptionsOutOfRange) {
   EXPECT_EQ(build_depth_images(views_, {.resolution = 0}).error().text,
             "the resolution is 0 (expected 1 to 16384)");
