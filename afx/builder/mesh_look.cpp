@@ -145,7 +145,10 @@ Result<DepthImage> draw_depth_image(const MeshLook& look, const Shot& shot, unsi
   if (depth_bits != 8 && depth_bits != 16)
     return refused("the depths have " + std::to_string(depth_bits) + " bits (expected 8 or 16)");
   if (Status right = check_shot(shot, 1, limits); !right.ok()) return right.error();
-  const MeshRaster raster(look.mesh(), shot.camera, shot.width, shot.height, threads);
+  const auto rastered =
+      MeshRaster::of(look.mesh(), shot.camera, shot.width, shot.height, threads, limits);
+  if (!rastered.ok()) return rastered.error();
+  const MeshRaster& raster = rastered.value();
   const PixelFootprint footprint(look, shot, raster);
   const size_t pixels = size_t{shot.width} * shot.height;
   SimpleTexture texture{Picture(shot.width, shot.height, 3),
@@ -172,7 +175,10 @@ Result<DepthImage> draw_depth_image(const MeshLook& look, const Shot& shot, unsi
 Result<std::vector<float>> draw_distances(const MeshLook& look, const Shot& shot, unsigned threads,
                                           const Limits& limits) {
   if (Status right = check_shot(shot, 1, limits); !right.ok()) return right.error();
-  const MeshRaster raster(look.mesh(), shot.camera, shot.width, shot.height, threads);
+  const auto rastered =
+      MeshRaster::of(look.mesh(), shot.camera, shot.width, shot.height, threads, limits);
+  if (!rastered.ok()) return rastered.error();
+  const MeshRaster& raster = rastered.value();
   std::vector<float> distances(size_t{shot.width} * shot.height);
   parallel_for(raster.bands(), threads, [&](size_t band) {
     std::vector<SeenSurface> seen;
@@ -190,8 +196,10 @@ Result<Picture> draw_picture(const MeshLook& look, const Shot& shot, unsigned sa
     return refused("there are " + std::to_string(samples) +
                    " samples along a pixel (expected 1, 2, 3, 4, 6 or 8)");
   if (Status right = check_shot(shot, samples, limits); !right.ok()) return right.error();
-  const MeshRaster raster(look.mesh(), shot.camera, shot.width * samples, shot.height * samples,
-                          threads);
+  const auto rastered = MeshRaster::of(look.mesh(), shot.camera, shot.width * samples,
+                                       shot.height * samples, threads, limits);
+  if (!rastered.ok()) return rastered.error();
+  const MeshRaster& raster = rastered.value();
   const PixelFootprint footprint(look, shot, raster);
   Picture picture(shot.width, shot.height, 4);
   parallel_for(raster.bands(), threads, [&](size_t number) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "codec/parallel.h"
@@ -21,24 +22,49 @@ int64_t fixed(double pixels) {
   return std::llround(std::clamp(pixels, -kFarthest, kFarthest) * kUnits);
 }
 
+// From where up to, not with, where.
+struct BandRange {
+  uint32_t first = 0, end = 0;
+};
+
+uint64_t bytes_of(const Mesh& mesh) {
+  return mesh.positions.size() * sizeof(glm::dvec3) + mesh.triangles.size() * sizeof(BandRange);
+}
+
+Status check_memory(uint64_t bytes, const Limits& limits) {
+  if (bytes <= limits.memory) return {};
+  return Error{Errc::limit_exceeded, Place::none(),
+               "the triangles on the rows of the picture take " + std::to_string(bytes) +
+                   " bytes (expected at most " + std::to_string(limits.memory) + ")"};
+}
+
 }  // namespace
 
-MeshRaster::MeshRaster(const Mesh& mesh, const DepthCamera& camera, uint32_t width, uint32_t height,
-                       unsigned threads)
+Result<MeshRaster> MeshRaster::of(const Mesh& mesh, const DepthCamera& camera, uint32_t width,
+                                  uint32_t height, unsigned threads, const Limits& limits) {
+  if (Status fits = check_memory(bytes_of(mesh), limits); !fits.ok()) return fits.error();
+  MeshRaster raster(mesh, camera, width, height);
+  raster.see_vertices(camera, threads);
+  if (Status sorted = raster.sort_into_bands(threads, limits); !sorted.ok()) return sorted.error();
+  return raster;
+}
+
+MeshRaster::MeshRaster(const Mesh& mesh, const DepthCamera& camera, uint32_t width, uint32_t height)
     : mesh_(mesh),
       perspective_(!camera.orthographic),
       near_(camera.near_plane),
       extent_(CameraProjection(camera).extent(1)),
       width_(width),
-      height_(height) {
+      height_(height) {}
+
+void MeshRaster::see_vertices(const DepthCamera& camera, unsigned threads) {
   const CameraProjection projection(camera);
-  const size_t count = mesh.positions.size();
+  const size_t count = mesh_.positions.size();
   seen_.resize(count);
   parallel_for((count + kChunk - 1) / kChunk, threads, [&](size_t chunk) {
     for (size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i)
-      seen_[i] = projection.to_camera(glm::dvec3(mesh.positions[i]));
+      seen_[i] = projection.to_camera(glm::dvec3(mesh_.positions[i]));
   });
-  sort_into_bands(threads);
 }
 
 uint32_t MeshRaster::end_row(uint32_t band) const {
@@ -111,12 +137,9 @@ MeshRaster::Rows MeshRaster::rows_of(uint32_t triangle) const {
   return rows;
 }
 
-void MeshRaster::sort_into_bands(unsigned threads) {
-  struct Bands {  // from `first` up to, not with, `end`
-    uint32_t first = 0, end = 0;
-  };
+Status MeshRaster::sort_into_bands(unsigned threads, const Limits& limits) {
   const size_t count = mesh_.triangles.size();
-  std::vector<Bands> of(count);
+  std::vector<BandRange> of(count);
   parallel_for((count + kChunk - 1) / kChunk, threads, [&](size_t chunk) {
     for (size_t t = chunk * kChunk; t < std::min(count, (chunk + 1) * kChunk); ++t) {
       const Rows rows = rows_of(static_cast<uint32_t>(t));
@@ -125,14 +148,19 @@ void MeshRaster::sort_into_bands(unsigned threads) {
                static_cast<uint32_t>(rows.last) / kBandRows + 1};
     }
   });
+  uint64_t entries = 0;
+  for (const BandRange& met : of) entries += met.end - met.first;
+  if (Status fits = check_memory(bytes_of(mesh_) + entries * sizeof(uint32_t), limits); !fits.ok())
+    return fits;
   starts_.assign(bands() + 1, 0);
-  for (const Bands& met : of)
+  for (const BandRange& met : of)
     for (uint32_t band = met.first; band < met.end; ++band) ++starts_[band + 1];
   for (size_t band = 0; band < bands(); ++band) starts_[band + 1] += starts_[band];
   entries_.resize(starts_.back());
   std::vector<size_t> next(starts_.begin(), starts_.end() - 1);
   for (uint32_t t = 0; t < count; ++t)
     for (uint32_t band = of[t].first; band < of[t].end; ++band) entries_[next[band]++] = t;
+  return {};
 }
 
 }  // namespace afx

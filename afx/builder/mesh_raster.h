@@ -17,6 +17,8 @@
 
 #include "afx/builder/mesh.h"
 #include "afx/depth_camera.h"
+#include "codec/error.h"
+#include "codec/limits.h"
 
 namespace afx {
 
@@ -30,8 +32,7 @@ struct Fragment {
 
 /// The triangles of a mesh as one camera sees them, sorted into bands of rows that can be worked on
 /// at the same time. Both sides of a triangle are seen; what lies nearer than the near plane is
-/// not. Memory: 24 bytes a vertex, 8 a
-/// triangle, 4 for each triangle and band that it meets.
+/// not. Memory: 24 bytes a vertex, 8 a triangle, 4 for each triangle and band that it meets.
 class MeshRaster {
  public:
   static constexpr uint32_t kBandRows =
@@ -39,8 +40,9 @@ class MeshRaster {
 
   /// mesh     must stay as it is
   /// camera   checked; width, height >= 1, at most 65536
-  MeshRaster(const Mesh& mesh, const DepthCamera& camera, uint32_t width, uint32_t height,
-             unsigned threads);
+  /// Errors   limit_exceeded: more memory than limits.memory
+  static Result<MeshRaster> of(const Mesh& mesh, const DepthCamera& camera, uint32_t width,
+                               uint32_t height, unsigned threads, const Limits& limits);
 
   [[nodiscard]] uint32_t width() const { return width_; }
   [[nodiscard]] uint32_t height() const { return height_; }
@@ -62,6 +64,8 @@ class MeshRaster {
   }
 
  private:
+  MeshRaster(const Mesh& mesh, const DepthCamera& camera, uint32_t width, uint32_t height);
+
   /// A corner of a triangle, or of a part that the near plane leaves of it.
   struct Corner {
     glm::dvec3 seen{0, 0, 0};  // in the camera's system
@@ -81,7 +85,8 @@ class MeshRaster {
   [[nodiscard]] int cut(uint32_t triangle, Parts& parts) const;
   [[nodiscard]] Placed place(const std::array<Corner, 3>& corners) const;
   [[nodiscard]] Rows rows_of(uint32_t triangle) const;
-  void sort_into_bands(unsigned threads);
+  void see_vertices(const DepthCamera& camera, unsigned threads);
+  Status sort_into_bands(unsigned threads, const Limits& limits);
 
   template <class Visit>
   void draw(const std::array<Corner, 3>& corners, uint32_t triangle, uint32_t band,

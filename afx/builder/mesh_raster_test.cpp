@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <string>
 #include <vector>
 
 #include "afx/builder/test_meshes.h"
@@ -19,7 +20,9 @@ DepthCamera front() { return {{0, 0, 10}, {1, 0, 0, 0}, true, {4, 4}, 1, 20}; }
 
 std::vector<Fragment> fragments_of(const Mesh& mesh, const DepthCamera& camera, uint32_t width,
                                    uint32_t height) {
-  const MeshRaster raster(mesh, camera, width, height, 1);
+  const auto made = MeshRaster::of(mesh, camera, width, height, 1, {});
+  EXPECT_TRUE(made.ok());
+  const MeshRaster& raster = made.value();
   std::vector<Fragment> found;
   for (uint32_t band = 0; band < raster.bands(); ++band)
     raster.for_each(band, [&](const Fragment& f) { found.push_back(f); });
@@ -110,7 +113,10 @@ TEST(MeshRaster, WhatLiesBeforeTheNearPlaneIsCutAway) {
 
 TEST(MeshRaster, BandsAreCompleteForAnyNumberOfThreads) {
   const Mesh sphere = sphere_mesh(3);
-  const MeshRaster one(sphere, front(), 100, 101, 1), four(sphere, front(), 100, 101, 4);
+  const auto of_one = MeshRaster::of(sphere, front(), 100, 101, 1, {});
+  const auto of_four = MeshRaster::of(sphere, front(), 100, 101, 4, {});
+  ASSERT_TRUE(of_one.ok() && of_four.ok());
+  const MeshRaster &one = of_one.value(), &four = of_four.value();
   ASSERT_EQ(one.bands(), 5U);
   EXPECT_EQ(one.end_row(4), 101U);
   for (uint32_t band = 0; band < one.bands(); ++band) {
@@ -122,6 +128,38 @@ TEST(MeshRaster, BandsAreCompleteForAnyNumberOfThreads) {
     four.for_each(band, [&](const Fragment& f) { b.push_back(f.triangle); });
     EXPECT_EQ(a, b);
   }
+}
+
+// Corners far off the screen are drawn as if they lay at 2^20 pixels: no product leaves 64 bits.
+TEST(MeshRaster, ATriangleWithCornersFarOffTheScreenFillsIt) {
+  for (const float far : {1e5F, 1e9F, 1e30F}) {  // 2^20 pixels are 1e5 here
+    Mesh mesh;
+    mesh.materials.emplace_back();
+    mesh.positions = {{-far, -far, 1}, {far, -far, 1}, {far, far, 1}, {-far, far, 1}};
+    add_triangle(mesh, 0, 1, 2);
+    add_triangle(mesh, 0, 2, 3);
+    const auto fragments = fragments_of(mesh, front(), 40, 40);
+    ASSERT_EQ(fragments.size(), 1600U) << far;
+    for (const int hit : hits(fragments, 40, 40)) EXPECT_EQ(hit, 1) << far;
+    for (const Fragment& f : fragments) EXPECT_NEAR(f.distance, 9, 1e-9) << far;
+  }
+}
+
+TEST(MeshRaster, TrianglesOverManyRowsKeepToTheLimit) {
+  // 240 rows are 10 bands, of which each triangle meets all: 4 * 24 + 2 * (8 + 10 * 4) bytes.
+  Mesh mesh = textured_square(Picture(1, 1, 3));
+  for (glm::vec3& p : mesh.positions) p *= 2;
+  const auto error = [&](uint64_t memory) {
+    Limits limits;
+    limits.memory = memory;
+    const auto raster = MeshRaster::of(mesh, front(), 2, 240, 1, limits);
+    return raster.ok() ? std::string() : raster.error().text;
+  };
+  EXPECT_EQ(error(192), "");
+  EXPECT_EQ(error(191),
+            "the triangles on the rows of the picture take 192 bytes (expected at most 191)");
+  EXPECT_EQ(error(100),
+            "the triangles on the rows of the picture take 112 bytes (expected at most 100)");
 }
 
 }  // namespace

@@ -29,14 +29,14 @@ bool faces(const glm::dvec3& normal, int axis) {
 // The pieces of the triangles that face one axis.
 class AxisSampler {
  public:
-  AxisSampler(const MeshLook& look, const Shot& shot, int axis, double pixel, unsigned threads,
-              uint64_t most)
+  AxisSampler(const MeshLook& look, const Shot& shot, int axis, double pixel,
+              const MeshRaster& raster, uint64_t most)
       : look_(look),
         shot_(shot),
         projection_(shot.camera),
         axis_(axis),
         pixel_(pixel),
-        raster_(look.mesh(), shot.camera, shot.width, shot.height, threads),
+        raster_(raster),
         most_(most),
         found_(raster_.bands()) {}
 
@@ -86,7 +86,7 @@ class AxisSampler {
   CameraProjection projection_;
   int axis_;
   double pixel_;
-  MeshRaster raster_;
+  const MeshRaster& raster_;
   uint64_t most_;
   std::vector<Surfels> found_;  // by band
   std::atomic<uint64_t> count_ = 0;
@@ -104,7 +104,10 @@ Result<Surfels> surfels_of(const MeshLook& look, uint32_t resolution, unsigned t
     glm::dvec3 direction(0);
     direction[axis] = 1;
     const Shot shot = view_from(views, direction, {resolution, true});
-    AxisSampler sampler(look, shot, axis, pixel, threads, most - surfels.size());
+    const auto raster =
+        MeshRaster::of(look.mesh(), shot.camera, shot.width, shot.height, threads, limits);
+    if (!raster.ok()) return raster.error();
+    AxisSampler sampler(look, shot, axis, pixel, raster.value(), most - surfels.size());
     if (!sampler.run(threads))
       return Error{Errc::limit_exceeded, Place::none(),
                    "the surface has more than " + std::to_string(most) + " samples"};
