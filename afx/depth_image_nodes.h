@@ -52,8 +52,8 @@ nodes::NodeId add_depth_image(nodes::Scene& scene, const DepthCamera& camera,
 nodes::NodeId add_depth_image(nodes::Scene& scene, const DepthCamera& camera,
                               const PointTexture& texture);
 
-/// A SimpleTexture as one picture, the depth in its alpha channel: 8 bits where both have no more,
-/// else 16, of which the colours fill all.
+/// A SimpleTexture as one picture, the depth in its alpha channel: 8 bits where the depth has no
+/// more, else 16, of which colours and depths fill all. Opacity is left out.
 DeepPicture with_depth_as_alpha(const SimpleTexture& texture);
 
 }  // namespace afx

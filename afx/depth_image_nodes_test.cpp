@@ -180,5 +180,16 @@ TEST(DepthImageNodes, DepthAsAlphaIsReadBack) {
   EXPECT_EQ(back.depth.samples, texture.depth.samples);
 }
 
+TEST(DepthImageNodes, DepthAsAlphaFillsAllOfItsBits) {
+  SimpleTexture texture{Picture(4, 1, 1), {4, 1, 1, 10, {0, 1, 512, 1023}}};
+  DeepPicture both = with_depth_as_alpha(texture);
+  EXPECT_EQ(both.bits, 16U);
+  EXPECT_EQ(both.samples, (std::vector<uint16_t>{0, 0, 0, 1, 0, 32768, 0, 65535}));
+  texture.depth = {4, 1, 1, 2, {0, 1, 2, 3}};
+  both = with_depth_as_alpha(texture);
+  EXPECT_EQ(both.bits, 8U);
+  EXPECT_EQ(both.samples, (std::vector<uint16_t>{0, 0, 0, 1, 0, 128, 0, 255}));
+}
+
 }  // namespace
 }  // namespace afx

@@ -8,6 +8,7 @@
 
 #include "afx/known_nodes.h"
 #include "afx/media_import.h"
+#include "afx/node_error.h"
 #include "afx/node_rotation.h"
 #include "afx/octree_stream.h"
 #include "afx/texture_nodes.h"
@@ -21,10 +22,6 @@ using nodes::NodeView;
 using nodes::Url;
 
 constexpr size_t kMaxImages = 255;
-
-Error bad_node(const NodeView& node, const std::string& text, Errc code = Errc::bad_argument) {
-  return {code, Place::none(), node.label() + ": " + text};
-}
 
 /// The OctreeImage itself, where the node is a BitWrapper.
 NodeView octree_of(const NodeView& node) {
