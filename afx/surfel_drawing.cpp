@@ -116,7 +116,7 @@ class Drawing {
     });
     uint64_t all = 0;
     for (const uint64_t part : touched) all += part;
-    if (all > kMostSurfelPixels)
+    if (all > most_surfel_pixels(width_, height_))
       return beyond_limit("the pieces of surface touch " + std::to_string(all) + " pixels");
     return rows;
   }

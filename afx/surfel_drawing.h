@@ -33,7 +33,7 @@ namespace afx {
 /// Returns     RGB, or RGBA where there is a piece that is not opaque; black where nothing is seen
 /// Errors      bad_argument: those of check_depth_camera, a size of 0, depth_bits;
 ///             limit_exceeded: limits.picture_pixels, limits.memory, more pixels touched than
-///             surfel_footprint.h allows
+///             most_surfel_pixels (surfel_footprint.h)
 Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
                                 uint32_t height, unsigned depth_bits, unsigned threads,
                                 const Limits& limits);

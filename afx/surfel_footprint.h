@@ -19,8 +19,11 @@
 namespace afx {
 
 /// The most pixels that pieces may touch on one picture together: beyond lies no model seen from
-/// outside, but pieces so large that the time would have no bound.
-inline constexpr uint64_t kMostSurfelPixels = uint64_t{1} << 31;
+/// outside, but pieces so large that the time would have no bound. More of large pictures: 64
+/// pieces that fill one are always drawn.
+constexpr uint64_t most_surfel_pixels(uint32_t width, uint32_t height) {
+  return std::max(uint64_t{1} << 31, 64 * (uint64_t{width} * height));
+}
 
 /// limit_exceeded: `what` is more than the limit.
 Error beyond_limit(const std::string& what);

@@ -138,5 +138,11 @@ TEST(PerspectiveFootprint, NothingIsSeenOfAPieceBehindTheCamera) {
   EXPECT_EQ(piece.range.count(), 0U);
 }
 
+TEST(MostSurfelPixels, AreEnoughToFillLargePicturesSixtyFourTimes) {
+  EXPECT_EQ(most_surfel_pixels(4, 4), 2147483648U);
+  EXPECT_EQ(most_surfel_pixels(4096, 8192), 2147483648U);
+  EXPECT_EQ(most_surfel_pixels(32768, 32768), 68719476736U);
+}
+
 }  // namespace
 }  // namespace afx

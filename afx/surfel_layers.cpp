@@ -58,7 +58,7 @@ class Layering {
       if (surfels_.colours[n].a == 0) continue;
       const SurfelFootprint piece = view_.footprint(surfels_, n);
       touched += piece.range.count();
-      if (touched > kMostSurfelPixels)
+      if (touched > most_surfel_pixels(texture_.width, texture_.height))
         return beyond_limit("the pieces of surface touch " + std::to_string(touched) + " pixels");
       if (samples_.size() + piece.range.count() + 1 > most)
         return beyond_limit("the samples of the pieces of surface take memory");
