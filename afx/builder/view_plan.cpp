@@ -149,7 +149,8 @@ Result<std::vector<bool>> CoverageMeter::shown(const Shot& shot) const {
         length > 0 ? std::abs(glm::dot(normal, projection.towards_viewer(point))) / length : 1;
     if (facing < kFlattest) continue;
     // The surface may rise this much within the pixel and its neighbour.
-    const double pixel = projection.extent(at.distance).x / shot.width;
+    const glm::dvec2 size = projection.extent(at.distance);
+    const double pixel = std::max(size.x / shot.width, size.y / shot.height);
     const double slack = 1.5 * pixel * (1 + std::sqrt(1 - std::min(1.0, facing * facing)) / facing);
     const auto x = std::min(static_cast<uint32_t>(at.u * shot.width), shot.width - 1);
     const auto y = std::min(static_cast<uint32_t>((1 - at.v) * shot.height), shot.height - 1);

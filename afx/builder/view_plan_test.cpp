@@ -57,6 +57,26 @@ TEST(ViewFrom, HoldsTheModelCloselyWithSquarePixels) {
   EXPECT_LT(side.camera.near_plane, 6);
 }
 
+TEST(ViewFrom, FromAboveMinusZIsUpAndFromBelowZ) {
+  const Mesh box = box_mesh({-1, -2, -3}, {1, 2, 3});
+  const MeshLook look(box, Shade::never);
+  const MeshViews views(look, 1, {});
+  for (const bool parallel : {true, false})
+    for (const double y : {1.0, -1.0}) {
+      const Shot shot = view_from(views, {0, y, 0}, {60, parallel});
+      const DepthCamera& camera = shot.camera;
+      const auto turned = [&](const glm::dvec3& axis) { return camera.orientation * axis; };
+      EXPECT_NEAR(glm::distance(turned({1, 0, 0}), glm::dvec3(1, 0, 0)), 0, 1e-6);
+      EXPECT_NEAR(glm::distance(turned({0, 1, 0}), glm::dvec3(0, 0, -y)), 0, 1e-6);
+      EXPECT_NEAR(glm::distance(turned({0, 0, 1}), glm::dvec3(0, y, 0)), 0, 1e-6);
+      EXPECT_GT(y * camera.position.y, 2);
+      EXPECT_LT(shot.width, shot.height);  // 2 along x, 6 along z
+      EXPECT_NE(distance_to_depth(y * camera.position.y - 2, 65535, camera), 0U);
+      if (!parallel) continue;
+      EXPECT_EQ(glm::uvec2(shot.width, shot.height), glm::uvec2(20, 60));
+    }
+}
+
 TEST(ViewFrom, EveryVertexIsInThePictureAndBetweenThePlanes) {
   Mesh sphere = sphere_mesh(3);
   for (glm::vec3& p : sphere.positions) p = p * glm::vec3(1, 0.3, 2) + glm::vec3(5, 6, 7);
@@ -88,6 +108,21 @@ TEST(CoverageMeter, SixViewsSeeAllOfABoxAndOneSeesASixth) {
   const auto one = meter.value().measure(shots(views, {{0, 0, 1}}, options));
   EXPECT_NEAR(one.value().part(), 1.0 / 6, 0.001);
   EXPECT_EQ(meter.value().choose().size(), 6U);  // nothing is left to be seen
+}
+
+TEST(CoverageMeter, SeesASlopeThroughPixelsHigherThanWideAsThroughWideOnes) {
+  Mesh slope = textured_square(Picture(1, 1, 3));  // rises to the top and to the right
+  for (glm::vec3& p : slope.positions) p.z = 0.7F * (p.x + p.y);
+  const MeshLook look(slope, Shade::never);
+  const MeshViews views(look, 2, {});
+  const auto meter = CoverageMeter::of(views);
+  ASSERT_TRUE(meter.ok());
+  const DepthCamera camera{{0, 0, 10}, {1, 0, 0, 0}, true, {2, 2}, 1, 20};
+  const auto part = [&](uint32_t width, uint32_t height) {
+    return meter.value().measure({{camera, width, height}}).value().part();
+  };
+  EXPECT_EQ(part(64, 8), 1);
+  EXPECT_EQ(part(8, 64), 1);
 }
 
 TEST(CoverageMeter, AddsViewsWhereSixDoNotSeeEverything) {
