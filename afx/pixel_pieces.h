@@ -34,6 +34,20 @@ inline Status check_surfel_memory(uint64_t pieces, const Limits& limits) {
                std::to_string(pieces) + " pieces of surface take more memory than the limit"};
 }
 
+/// Whether all pieces lie within 1e37 of the origin along each axis, where single precision, which
+/// scenes have, still holds sums of coordinates.
+inline bool are_near_enough(const Surfels& surfels) {
+  const auto is_near = [](const glm::dvec3& v) {
+    constexpr double kFarthest = 1e37;
+    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
+  };
+  for (size_t n = 0; n < surfels.size(); ++n)
+    if (!is_near(surfels.centres[n]) || !is_near(glm::dvec3(surfels.u[n])) ||
+        !is_near(glm::dvec3(surfels.v[n])))
+      return false;
+  return true;
+}
+
 /// A camera's pixels.
 struct PixelGrid {
   DepthCamera camera;

@@ -187,6 +187,9 @@ Result<Surfels> surfels_of(std::span<const DibrModel> models, unsigned threads,
       append(part, model.to_world, all);
     }
   }
+  if (!are_near_enough(all))
+    return Error{Errc::bad_argument, Place::none(),
+                 "a transform of the scene moves points beyond 1e37"};
   return all;
 }
 

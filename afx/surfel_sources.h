@@ -52,7 +52,8 @@ Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Lim
                            Diagnostics& diagnostics);
 
 /// All objects of a scene together, in the world's coordinates.
-/// Errors, warnings   as above; bad_argument: a transform that is not finite
+/// Errors, warnings   as above; bad_argument: a transform that is not finite, or that
+/// moves points beyond 1e37
 Result<Surfels> surfels_of(std::span<const DibrModel> models, unsigned threads,
                            const Limits& limits, Diagnostics& diagnostics);
 

@@ -252,6 +252,11 @@ TEST(SurfelSources, RefuseWhatIsTooMuchOrCannotBe) {
   const auto endless = surfels_of(std::vector{model}, 1, {}, diagnostics);
   ASSERT_FALSE(endless.ok());
   EXPECT_EQ(endless.error().text, "a transform of the scene is not finite");
+  model.to_world = glm::dmat4(1);
+  model.to_world[3].x = -1e37;
+  const auto far = surfels_of(std::vector{model}, 1, {}, diagnostics);
+  ASSERT_FALSE(far.ok());
+  EXPECT_EQ(far.error().text, "a transform of the scene moves points beyond 1e37");
 }
 
 }  // namespace

@@ -157,6 +157,7 @@ Result<RgbdDescription> describe(const Json& top, size_t number) {
                 "is " + rgbd_text(d.far) + " (expected more than near, " + rgbd_text(d.near) + ")");
   frame.to_world = fields.matrix("pose");
   check_pose(frame.to_world, fields);
+  d.pose = fields.path_of("pose");
   const std::string convention = fields.has("convention") ? fields.text("convention") : "opencv";
   if (convention != "opencv" && convention != "opengl")
     fields.fail(fields.path_of("convention"),

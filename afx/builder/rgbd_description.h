@@ -33,6 +33,7 @@ struct RgbdNumber {
 struct RgbdDescription {
   RgbdName colour, depth, mask;  ///< no name: no mask
   RgbdFrame frame;               ///< its camera
+  std::string pose;              ///< the member that its camera stands in the world by
   RgbdNumber depth_scale, width, height;
   double near = 0, far = std::numeric_limits<double>::infinity();
 };

@@ -65,6 +65,7 @@ class RgbdReader {
     if (Status s = check_surfel_memory(uint64_t{all.size()} + surfels.value().size(), limits_);
         !s.ok())
       return s;
+    if (!are_near_enough(surfels.value())) return bad(d.pose + " moves points beyond 1e37");
     append(surfels.value(), glm::dmat4(1), all);
     return {};
   }
