@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "afx/builder/exposure.h"
@@ -20,7 +21,8 @@
 namespace afx {
 namespace {
 
-// Each thread has pictures of its own, up to 27 bytes for each of 3 size^2 pixels.
+// Each thread has pictures of its own, of up to 3 size^2 pixels of this many bytes.
+constexpr uint64_t kDrawingBytes = 27;
 constexpr unsigned most_threads(uint32_t size) { return size <= 1024 ? 4 : 2; }
 
 // A voxel is off where a component is wrong by more.
@@ -47,6 +49,12 @@ double psnr_of(double squared) {
   return squared > 0 ? std::min(99.0, 10 * std::log10(3 * 255.0 * 255.0 / squared)) : 99;
 }
 
+Error beyond_limit(const std::string& what, uint64_t bytes, const Limits& limits) {
+  return {Errc::limit_exceeded, Place::none(),
+          what + " takes " + std::to_string(bytes) + " bytes (expected at most " +
+              std::to_string(limits.memory) + ")"};
+}
+
 class ModelBuilder {
  public:
   ModelBuilder(SurfaceVoxels voxels, unsigned levels, uint32_t resolution,
@@ -57,19 +65,21 @@ class ModelBuilder {
     built_.model.resolution = resolution;
   }
 
-  BuiltOctree build() {
+  Result<BuiltOctree> build() {
+    if (Status fits = check_memory(); !fits.ok()) return fits.error();
     coordinates_.reserve(voxels_.codes.size());
     for (const uint64_t code : voxels_.codes) coordinates_.push_back(codec::morton_decode(code));
     exposed_ = exposed_voxels(coordinates_, levels_, options_.threads);
     report("choosing views", 0.68);
     choose_views();
+    if (Status fits = fit_threads(); !fits.ok()) return fits.error();
     report("drawing images", 0.74);
     const JudgedVoxels judged{coordinates_, voxels_.colours, voxels_.normals, exposed_, levels_};
     parallel_for(candidates_.size(), threads_, [&](size_t k) { weigh(candidates_[k], judged); });
     report("choosing images", 0.85);
     if (options_.images == 0) drop_dear_images(candidates_, exposed_);
     least_difference_ = least_difference(candidates_, exposed_);
-    choose_and_draw();
+    if (Status drawn = choose_and_draw(); !drawn.ok()) return drawn.error();
     name_images();
     report("octree", 0.98);
     OctreeFields& fields = built_.model.fields;
@@ -96,25 +106,49 @@ class ModelBuilder {
     }
   }
 
+  // What all voxels have for one image.
+  [[nodiscard]] uint64_t candidate_bytes() const {
+    return voxels_.codes.size() * kCandidateBytes + 1;
+  }
+
+  [[nodiscard]] Status check_memory() const {
+    const uint64_t least = 2 * kSideViews * candidate_bytes();
+    if (least <= options_.limits.memory) return {};
+    return beyond_limit("to choose from six images", least, options_.limits);
+  }
+
+  // Fewer threads where their pictures would take more memory than there may be.
+  Status fit_threads() {
+    uint64_t largest = 0;
+    for (const ImageCandidate& candidate : candidates_)
+      largest = std::max(largest, uint64_t{candidate.camera.width} * candidate.camera.height);
+    const uint64_t fit = options_.limits.memory / (largest * kDrawingBytes);
+    if (fit == 0)
+      return beyond_limit("to draw an image of " + std::to_string(largest) + " pixels",
+                          largest * kDrawingBytes, options_.limits);
+    threads_ = static_cast<unsigned>(std::min<uint64_t>(threads_, fit));
+    return {};
+  }
+
   // As many as there is memory for: what each voxel has for each image may take half of it.
   [[nodiscard]] unsigned most_images() const {
-    const uint64_t fit = options_.limits.memory / 2 / (voxels_.codes.size() * kCandidateBytes + 1);
+    const uint64_t fit = options_.limits.memory / 2 / candidate_bytes();
     const unsigned wanted = options_.images == 0 ? kMaxStreamTextures : options_.images;
     return static_cast<unsigned>(std::clamp<uint64_t>(fit, kSideViews, wanted));
   }
 
   // What the images then show may ask for a lower price.
-  void choose_and_draw() {
+  Status choose_and_draw() {
     const double price =
         options_.symbol_price.value_or(in_bounds(kPriceOfBest * least_difference_));
     choose_images(price);
     report("drawing images", 0.91);
-    draw_images();
+    if (Status drawn = draw_images(); !drawn.ok()) return drawn;
     const double lower = in_bounds(kPriceOfShown * shown_.squared);
-    if (options_.symbol_price || lower >= price) return;
+    if (options_.symbol_price || lower >= price) return {};
     choose_images(lower);
     report("drawing images", 0.95);
-    draw_images();
+    return draw_images();
   }
 
   static double in_bounds(double price) { return std::clamp(price, kLeastPrice, kSymbolPrice); }
@@ -149,11 +183,20 @@ class ModelBuilder {
       built_.names.push_back(reference_name(candidate.view < kSideViews ? candidate.view : next++));
   }
 
-  void draw_images() {
-    built_.model.images.resize(candidates_.size());
-    built_.used.resize(candidates_.size());
-    parallel_for(candidates_.size(), threads_, [this](size_t k) { draw_image(k); });
+  Status draw_images() {
+    std::vector<ReferenceCamera> cameras(candidates_.size());
+    parallel_for(cameras.size(), threads_, [&](size_t k) { cameras[k] = cropped_to_use(k); });
+    uint64_t bytes = 0;
+    for (const ReferenceCamera& camera : cameras)
+      bytes += 3 * uint64_t{camera.width} * camera.height;
+    if (bytes > options_.limits.memory)
+      return beyond_limit("a set of " + std::to_string(cameras.size()) + " images", bytes,
+                          options_.limits);
+    built_.model.images.resize(cameras.size());
+    built_.used.resize(cameras.size());
+    parallel_for(cameras.size(), threads_, [&](size_t k) { draw_image(k, cameras[k]); });
     look_at_images();
+    return {};
   }
 
   // The camera of an image, its picture no larger than the voxels that take it ask for.
@@ -175,8 +218,7 @@ class ModelBuilder {
   // Each pixel has the colour of the voxels that take it. What it shows of others is free, too:
   // keeping that takes JPEG 45 to 90 % more bytes at the same PSNR, and coarser levels of the
   // octree, which may look there, gain 1 dB at most or lose.
-  void draw_image(size_t k) {
-    const ReferenceCamera camera = cropped_to_use(k);
+  void draw_image(size_t k, const ReferenceCamera& camera) {
     const ReferenceView view(camera, levels_);
     const std::vector<bool>& seen = candidates_[k].seen;
     Picture picture(camera.width, camera.height, 3);
@@ -258,8 +300,8 @@ class ModelBuilder {
 
 }  // namespace
 
-BuiltOctree build_model(SurfaceVoxels voxels, unsigned levels, uint32_t resolution,
-                        const BuildOptions& options) {
+Result<BuiltOctree> build_model(SurfaceVoxels voxels, unsigned levels, uint32_t resolution,
+                                const BuildOptions& options) {
   return ModelBuilder(std::move(voxels), levels, resolution, options).build();
 }
 

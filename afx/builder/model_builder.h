@@ -7,6 +7,7 @@
 
 #include "afx/builder/octree_builder.h"
 #include "afx/builder/voxelize.h"
+#include "codec/error.h"
 
 namespace afx {
 
@@ -15,7 +16,9 @@ namespace afx {
 /// voxels       at least one
 /// levels       of the octree
 /// resolution   octreeResolution
-BuiltOctree build_model(SurfaceVoxels voxels, unsigned levels, uint32_t resolution,
-                        const BuildOptions& options);
+/// Errors       limit_exceeded: what the voxels have for six images, the largest picture while it
+///              is drawn, or all images together take more than limits.memory
+Result<BuiltOctree> build_model(SurfaceVoxels voxels, unsigned levels, uint32_t resolution,
+                                const BuildOptions& options);
 
 }  // namespace afx

@@ -66,13 +66,14 @@ void shade(SurfaceVoxels& voxels, bool coloured, unsigned levels, unsigned threa
                                  : shaded_grey(voxels.normals[i]);
 }
 
-BuiltOctree finish(SurfaceVoxels voxels, const Grid& grid, const BuildOptions& options,
-                   Colouring colouring, uint64_t primitives, const glm::dvec3& origin) {
+Result<BuiltOctree> finish(SurfaceVoxels voxels, const Grid& grid, const BuildOptions& options,
+                           Colouring colouring, uint64_t primitives, const glm::dvec3& origin) {
   const bool shaded = is_to_be_shaded(colouring, options.shade);
   if (shaded) shade(voxels, colouring != Colouring::none, grid.levels, options.threads);
   report(options, "outside", 0.65);
-  BuiltOctree built = build_model(std::move(voxels), grid.levels, grid.resolution, options);
-  BuildStatistics& statistics = built.statistics;
+  auto built = build_model(std::move(voxels), grid.levels, grid.resolution, options);
+  if (!built.ok()) return built;
+  BuildStatistics& statistics = built.value().statistics;
   statistics.primitives = primitives;
   statistics.shaded = shaded;
   const double cube = static_cast<double>(1U << grid.levels);

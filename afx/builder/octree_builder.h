@@ -31,7 +31,9 @@ inline constexpr uint32_t kMaxBuildResolution = 2048;
 
 struct BuildOptions {
   uint32_t resolution = 256;  ///< voxels along the longest side of the object, 1..2048
-  uint32_t image_size = 0;  ///< pixels along a side of the reference images, 1..4096; 0 = 2^levels
+  /// Pixels along a side of the reference images, 1..4096; 0 = 2^levels. To draw one takes up to 81
+  /// bytes for each pixel of a square of that side.
+  uint32_t image_size = 0;
   /// Reference images at most: 6 = one from each side, to 127 = from elsewhere too, as long as
   /// they show more of the outside; 0 = as long as they show so much more that it is worth their
   /// bytes. Those that no voxel takes are left out.

@@ -407,22 +407,22 @@ TEST(BuildOctree, OfPiecesNeedsOneThatCanBeSeen) {
 
 TEST(BuildOctree, RefusesWhatItCannotBuild) {
   Diagnostics diagnostics;
-  const auto code = [&](const auto& input, const BuildOptions& options) {
+  const auto text_of = [&](const auto& input, const BuildOptions& options) {
     const auto built = build_octree(input, options, diagnostics);
-    return built.ok() ? Errc::io : built.error().code;
-  };
-  EXPECT_EQ(code(dice(), {.resolution = 0}), Errc::bad_argument);
-  EXPECT_EQ(code(dice(), {.resolution = 2049}), Errc::bad_argument);
-  EXPECT_EQ(code(dice(), {.resolution = 8, .image_size = 5000}), Errc::bad_argument);
-  EXPECT_EQ(code(Mesh(), {.resolution = 8}), Errc::bad_argument);
-  EXPECT_EQ(code(PointCloud(), {.resolution = 8}), Errc::bad_argument);
-  const auto text = [&](const BuildOptions& options) {
-    const auto built = build_octree(dice(), options, diagnostics);
     return built.ok() ? std::string() : built.error().text;
   };
+  const auto text = [&](const BuildOptions& options) { return text_of(dice(), options); };
+  EXPECT_EQ(text({.resolution = 0}), "the resolution is 0 (expected 1 to 2048)");
+  EXPECT_EQ(text({.resolution = 2049}), "the resolution is 2049 (expected 1 to 2048)");
+  EXPECT_EQ(text({.resolution = 8, .image_size = 5000}),
+            "the image size is 5000 (expected at most 4096)");
+  EXPECT_EQ(text_of(Mesh(), {.resolution = 8}), "the mesh has no triangles");
+  EXPECT_EQ(text_of(PointCloud(), {.resolution = 8}), "the point cloud has no points");
+  EXPECT_EQ(text_of(Surfels(), {.resolution = 8}), "the model has no samples");
   EXPECT_EQ(text({.resolution = 8, .images = 5}),
             "5 images (expected 6 to 127, or 0 for as many as are worth their bytes)");
-  EXPECT_EQ(code(dice(), {.resolution = 8, .images = 128}), Errc::bad_argument);
+  EXPECT_EQ(text({.resolution = 8, .images = 128}),
+            "128 images (expected 6 to 127, or 0 for as many as are worth their bytes)");
   EXPECT_EQ(text({.resolution = 8, .symbol_price = -1}),
             "the price of an index symbol is -1.000000 (expected 0 or more)");
   EXPECT_EQ(text({.resolution = 8, .cube = Cube{{0, 0, 0}, 0}}),
@@ -433,7 +433,48 @@ TEST(BuildOctree, RefusesWhatItCannotBuild) {
             "nothing of the model lies in the cube");
   BuildOptions small{.resolution = 64};
   small.limits.octree_nodes = 100;
-  EXPECT_EQ(code(dice(), small), Errc::limit_exceeded);
+  const auto many = build_octree(dice(), small, diagnostics);
+  ASSERT_FALSE(many.ok());
+  EXPECT_EQ(many.error().code, Errc::limit_exceeded);
+  EXPECT_EQ(many.error().text,
+            "the surface has more voxels than the limit (a lower resolution has fewer)");
+}
+
+TEST(BuildOctree, ImagesKeepToTheMemoryLimit) {
+  Diagnostics diagnostics;
+  const auto error = [&](BuildOptions options, uint64_t memory) {
+    options.limits.memory = memory;
+    const auto built = build_octree(dice(), options, diagnostics);
+    return built.ok() ? Error{Errc::io, {}, "none"} : built.error();
+  };
+  const BuildOptions large{.resolution = 8, .image_size = 512};
+  EXPECT_EQ(error(large, 27 * 512 * 512).text, "none");
+  const Error drawing = error(large, 27 * 512 * 512 - 1);
+  EXPECT_EQ(drawing.code, Errc::limit_exceeded);
+  EXPECT_EQ(drawing.text,
+            "to draw an image of 262144 pixels takes 7077888 bytes (expected at most 7077887)");
+}
+
+TEST(BuildOctree, ManyImagesKeepToTheMemoryLimitTogether) {
+  PointCloud dust;  // everything hides something, so many views are taken
+  std::mt19937 random(3);
+  const auto next = [&random] { return static_cast<float>(random() % 32); };
+  for (int n = 0; n < 12000; ++n) {
+    const float x = next(), y = next(), z = next();
+    dust.positions.emplace_back(x, y, z);
+  }
+  BuildOptions options{.resolution = 32, .image_size = 256, .images = 127, .symbol_price = 0};
+  Diagnostics diagnostics;
+  const auto built = build_octree(dust, options, diagnostics);
+  ASSERT_TRUE(built.ok());
+  const uint64_t bytes = 3 * built.value().statistics.pixels;
+  options.limits.memory = bytes - 1;
+  const auto refused = build_octree(dust, options, diagnostics);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().text, "a set of " + std::to_string(built.value().names.size()) +
+                                      " images takes " + std::to_string(bytes) +
+                                      " bytes (expected at most " + std::to_string(bytes - 1) +
+                                      ")");
 }
 
 TEST(BuildOctree, ReportsProgressThatGrows) {
