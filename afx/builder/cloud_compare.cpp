@@ -37,7 +37,7 @@ Status check(const PointCloud& a, const PointCloud& b, const CloudCompareOptions
   if (Status status = check(b, "B"); !status.ok()) return status;
   if (!(options.peak >= 0) || std::isinf(options.peak))
     return refused("the peak is no positive length");
-  constexpr uint64_t kPointBytes = 68, kMostPoints = 0xFFFFFFFF;
+  constexpr uint64_t kPointBytes = 72, kMostPoints = 0xFFFFFFFF;
   const uint64_t points = uint64_t{a.positions.size()} + b.positions.size();
   if (points > std::min(kMostPoints, options.limits.memory / kPointBytes))
     return Error{

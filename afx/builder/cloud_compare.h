@@ -57,7 +57,7 @@ struct CloudCompareOptions {
 /// A. Where a normal is unknown, the distance to the point stands in for that to the plane. Points
 /// given twice count twice.
 ///
-/// Memory  about 68 bytes a point, of both
+/// Memory  about 72 bytes a point, of both
 /// Errors  bad_argument: a cloud without points, arrays of different lengths, a peak that is no
 ///         positive length; limit_exceeded: memory beyond limits.memory
 [[nodiscard]] Result<CloudDifference> compare_clouds(const PointCloud& a, const PointCloud& b,

@@ -197,9 +197,9 @@ TEST(CompareClouds, RefusesWhatCannotBeCompared) {
   EXPECT_EQ(refused(some, odd),
             "bad_argument: point cloud B does not have a colour and a normal for each point");
   EXPECT_EQ(refused(some, some, {.peak = -1}), "bad_argument: the peak is no positive length");
-  EXPECT_EQ(refused(some, some, {.limits = {.memory = 512 * 68 - 1}}),
+  EXPECT_EQ(refused(some, some, {.limits = {.memory = 512 * 72 - 1}}),
             "limit_exceeded: to compare the points takes more memory than the limit");
-  EXPECT_EQ(refused(some, some, {.limits = {.memory = 512 * 68}}), "");
+  EXPECT_EQ(refused(some, some, {.limits = {.memory = 512 * 72}}), "");
 }
 
 }  // namespace

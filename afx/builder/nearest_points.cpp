@@ -15,7 +15,7 @@ namespace {
 // Where points lie, one or several.
 struct Place {
   glm::vec3 position;
-  uint32_t first;  // of its points, in the list of numbers
+  uint32_t first, count;  // of its points, in the list of numbers
 };
 
 // The places as the tree wants to see them. No two are the same: a search would visit all points of
@@ -43,11 +43,18 @@ std::vector<uint32_t> by_place(std::span<const glm::vec3> points) {
   return numbers;
 }
 
+// In the order of their first points: where no place has two, places have their points' numbers.
 std::vector<Place> places_of(std::span<const glm::vec3> points, std::span<const uint32_t> numbers) {
   std::vector<Place> places;
-  for (uint32_t n = 0; n < numbers.size(); ++n)
-    if (const glm::vec3& at = points[numbers[n]]; places.empty() || places.back().position != at)
-      places.push_back({at, n});
+  for (uint32_t n = 0; n < numbers.size(); ++n) {
+    const glm::vec3& at = points[numbers[n]];
+    if (!places.empty() && places.back().position == at)
+      ++places.back().count;
+    else
+      places.push_back({at, n, 1});
+  }
+  std::sort(places.begin(), places.end(),
+            [&](const Place& a, const Place& b) { return numbers[a.first] < numbers[b.first]; });
   return places;
 }
 
@@ -78,12 +85,6 @@ class EquallyNear {
   NearestPoints::Nearest& found_;
 };
 
-// Adds the first few of some numbers.
-void append(std::span<const uint32_t> some, size_t most, std::vector<uint32_t>& numbers) {
-  const auto first = some.first(std::min(some.size(), most));
-  numbers.insert(numbers.end(), first.begin(), first.end());
-}
-
 }  // namespace
 
 class NearestPoints::Tree {
@@ -101,10 +102,10 @@ class NearestPoints::Tree {
   }
   [[nodiscard]] size_t places() const { return places_.list.size(); }
 
+  [[nodiscard]] bool has_one_point_a_place() const { return places() == numbers_.size(); }
   [[nodiscard]] std::span<const uint32_t> points_at(uint32_t place) const {
-    const size_t first = places_.list[place].first;
-    const size_t end = place + 1 < places() ? places_.list[place + 1].first : numbers_.size();
-    return std::span(numbers_).subspan(first, end - first);
+    const Place& at = places_.list[place];
+    return std::span(numbers_).subspan(at.first, at.count);
   }
 
  private:
@@ -123,10 +124,19 @@ NearestPoints::Nearest NearestPoints::nearest(const glm::dvec3& place) const {
   Nearest nearest;
   EquallyNear found(nearest);
   tree_->search(place, found);
-  std::vector<uint32_t> numbers;
-  for (const uint32_t at : nearest.points()) append(tree_->points_at(at), kMostEqual, numbers);
-  std::sort(numbers.begin(), numbers.end());
-  nearest.count = std::min(numbers.size(), kMostEqual);
+  if (tree_->has_one_point_a_place()) {
+    std::sort(nearest.numbers.begin(),
+              nearest.numbers.begin() + static_cast<std::ptrdiff_t>(nearest.count));
+    return nearest;
+  }
+  std::array<uint32_t, kMostEqual * kMostEqual> numbers;
+  auto end = numbers.begin();
+  for (const uint32_t at : nearest.points()) {
+    const auto points = tree_->points_at(at);
+    end = std::copy_n(points.begin(), std::min(points.size(), kMostEqual), end);
+  }
+  std::sort(numbers.begin(), end);
+  nearest.count = std::min(static_cast<size_t>(end - numbers.begin()), kMostEqual);
   std::copy_n(numbers.begin(), nearest.count, nearest.numbers.begin());
   return nearest;
 }
@@ -139,7 +149,13 @@ std::vector<uint32_t> NearestPoints::nearest(const glm::dvec3& place, size_t cou
   nanoflann::KNNResultSet<double, uint32_t> found(most);
   found.init(places.data(), squared.data());
   tree_->search(place, found);
-  for (const uint32_t at : places) append(tree_->points_at(at), count - numbers.size(), numbers);
+  if (tree_->has_one_point_a_place()) return places;
+  numbers.reserve(most);
+  for (const uint32_t at : places) {
+    const auto points = tree_->points_at(at);
+    const auto some = points.first(std::min(points.size(), count - numbers.size()));
+    numbers.insert(numbers.end(), some.begin(), some.end());
+  }
   return numbers;
 }
 

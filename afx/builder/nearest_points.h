@@ -12,7 +12,7 @@
 namespace afx {
 
 /// Points arranged in a k-d tree to find the nearest ones. Searching changes nothing: for use by
-/// several threads at once. Memory: about 44 bytes a point.
+/// several threads at once. Memory: about 48 bytes a point.
 class NearestPoints {
  public:
   /// So many points equally near are told; of more in one place, those with the lowest numbers.
