@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "afx/builder/shading.h"
 #include "afx/file.h"
 #include "afx/picture.h"
 #include "codec/error.h"
@@ -45,8 +44,6 @@ struct BuildCommand {
   std::optional<uint64_t> target_size;
   std::optional<double> target_psnr;
   std::vector<double> cube;  ///< centre and side, or empty
-
-  [[nodiscard]] Shade shading() const;
 };
 
 /// What a build works with besides the model.

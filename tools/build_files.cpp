@@ -8,11 +8,6 @@
 
 namespace afx::tools {
 
-Shade BuildCommand::shading() const {
-  if (shade == "always") return Shade::always;
-  return shade == "never" ? Shade::never : Shade::automatic;
-}
-
 Result<std::string> PictureFiles::put(const std::string& suffix, const std::string& format,
                                       const std::vector<uint8_t>& bytes) {
   const std::filesystem::path scene(job_.command.output);

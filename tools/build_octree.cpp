@@ -46,7 +46,7 @@ BuildOptions options_of(const ModelInput& model, const BuildJob& job) {
     options.symbol_price = kSymbolPrice;  // what JPEG loses hides what that does
   }
   options.threads = job.session.options.threads;
-  options.shade = job.command.shading();
+  options.shade = shade_of(job.command.shade);
   options.limits = job.session.limits;
   options.progress = [&job](const char* stage, double done) { job.bar.show(stage, done); };
   return options;

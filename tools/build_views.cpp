@@ -15,11 +15,6 @@
 namespace afx::tools {
 namespace {
 
-Error in_file(Error error, const std::string& file) {
-  if (error.file.empty()) error.file = file;
-  return error;
-}
-
 Result<std::vector<Shot>> cameras_of_scene(const Input& input, const BuildJob& job) {
   const auto scene = read_scene(input, job.session.limits, job.diagnostics);
   if (!scene.ok()) return scene.error();
@@ -45,8 +40,7 @@ Result<std::vector<Shot>> cameras_of_scene(const Input& input, const BuildJob& j
 Result<std::vector<Shot>> cameras_of_file(const std::string& path, const BuildJob& job) {
   const auto input = open_input(path, {}, job.session.limits, job.diagnostics);
   if (!input.ok()) return input.error();
-  if (is_text_scene(input.value().kind) || is_coded_scene(input.value().kind))
-    return cameras_of_scene(input.value(), job);
+  if (is_scene(input.value().kind)) return cameras_of_scene(input.value(), job);
   return read_camera_list(input.value().file.bytes(), job.session.limits);
 }
 
@@ -57,7 +51,7 @@ Result<std::unique_ptr<LookedAt>> LookedAt::of(ModelInput&& model, const BuildJo
   const unsigned threads = job.session.options.threads;
   if (auto* mesh = std::get_if<Mesh>(&model)) {
     looked_at->mesh_ = std::move(*mesh);
-    looked_at->look_.emplace(*looked_at->mesh_, job.command.shading());
+    looked_at->look_.emplace(*looked_at->mesh_, shade_of(job.command.shade));
     looked_at->views_ = std::make_unique<MeshViews>(*looked_at->look_, threads, job.session.limits);
     return looked_at;
   }

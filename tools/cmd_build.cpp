@@ -88,9 +88,18 @@ Status place_input(ModelInput& model, const BuildJob& job) {
   return place(std::get<Surfels>(model), placement);
 }
 
+Result<ModelInput> read_input(const BuildJob& job) {
+  const auto input =
+      open_model_input(job.command.inputs.front(), {}, job.session.limits, job.diagnostics);
+  if (!input.ok()) return input.error();
+  if (Status right = refuse_raw_octree(input.value()); !right.ok()) return right.error();
+  OctreeQuery query;
+  return read_model_input(input.value(), query, job.session, job.diagnostics);
+}
+
 Result<BuiltScene> build_scene(const BuildJob& job) {
   job.bar.show("reading", 0);
-  auto model = read_model_input(job.command.inputs.front(), job.session, job.diagnostics);
+  auto model = read_input(job);
   if (!model.ok()) return std::move(model).error();
   if (Status placed = place_input(model.value(), job); !placed.ok()) return placed.error();
   return form_of(job.command).build(std::move(model).value(), job);

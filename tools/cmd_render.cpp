@@ -45,24 +45,9 @@ Status draw_scene(const Input& input, const Session& session, Diagnostics& diagn
   return drawn.add(scene.value());
 }
 
-Status draw_octree(const Input& input, const RenderCommand& command, const Session& session,
-                   Diagnostics& diagnostics, Drawing& drawn, bool& missing_is_usage) {
-  OctreeQuery query{.node = {}, .resolution = command.resolution, .frame = command.frame};
-  auto octree = read_octree(input, query, session.limits, diagnostics);
-  missing_is_usage = query.missing_is_usage;
-  if (!octree.ok()) return std::move(octree).error();
-  OctreeModel model{octree.value().resolution, std::move(octree.value().fields), {}};
-  if (octree.value().images > 0) {
-    diagnostics.warn("no_pictures", Place::none(),
-                     "a stream alone has no pictures: the model is drawn grey");
-    model.fields.voxel_image_index.clear();
-  }
-  return drawn.add(model, glm::dmat4(1));
-}
-
-Status draw_model(const RenderCommand& command, const Session& session, Diagnostics& diagnostics,
-                  Drawing& drawn) {
-  auto model = read_model_input(command.input, session, diagnostics);
+Status draw_model(const Input& input, OctreeQuery& query, const Session& session,
+                  Diagnostics& diagnostics, Drawing& drawn) {
+  auto model = read_model_input(input, query, session, diagnostics);
   if (!model.ok()) return std::move(model).error();
   return drawn.add(std::move(model).value(), Shade::automatic);
 }
@@ -154,25 +139,18 @@ int check_command(const RenderCommand& command, const OutputFiles& outputs, cons
 /// Reads the input into `drawn`; returns an exit code.
 int read_input(const RenderCommand& command, const Session& session, Diagnostics& diagnostics,
                Drawing& drawn) {
-  const auto input = open_input(command.input, command.input_format, session.limits, diagnostics);
+  const auto input =
+      open_model_input(command.input, command.input_format, session.limits, diagnostics);
   if (!input.ok()) return session.fail(input.error(), command.input, diagnostics);
-  const std::string useless =
-      useless_option({.node = {}, .resolution = command.resolution, .frame = command.frame},
-                     {&input.value().kind, 1});
+  OctreeQuery query{.node = {}, .resolution = command.resolution, .frame = command.frame};
+  const std::string useless = useless_option(query, {&input.value().kind, 1});
   if (!useless.empty()) return session.usage(useless);
-  bool missing_is_usage = false;
-  const Kind kind = input.value().kind;
-  Status read;
-  if (is_text_scene(kind) || is_coded_scene(kind)) {
-    read = draw_scene(input.value(), session, diagnostics, drawn);
-  } else if (kind == Kind::model || kind == Kind::json) {
-    read = draw_model(command, session, diagnostics, drawn);
-  } else {
-    read = draw_octree(input.value(), command, session, diagnostics, drawn, missing_is_usage);
-  }
+  const Status read = is_scene(input.value().kind)
+                          ? draw_scene(input.value(), session, diagnostics, drawn)
+                          : draw_model(input.value(), query, session, diagnostics, drawn);
   if (read.ok()) return session.warn(diagnostics, command.input);
   session.show(diagnostics, command.input);
-  return session.fail_query(read.error(), missing_is_usage, command.input);
+  return session.fail_query(read.error(), query.missing_is_usage, command.input);
 }
 
 int run_render(const RenderCommand& command, const Session& session) {

@@ -39,6 +39,7 @@ int decode_presentation(const DecodeOptions& options, const std::string& format,
 
 /// The DIBR objects of a scene of any kind, or RGB-D pictures, as a point cloud (PLY): pixels at
 /// their depth, voxel centres. Returns an exit code.
-int decode_points(const DecodeOptions& options, OutputFiles& outputs, const Session& session);
+int decode_points(const DecodeOptions& options, const Input& input, OutputFiles& outputs,
+                  const Session& session, Diagnostics& diagnostics);
 
 }  // namespace afx::tools

@@ -10,10 +10,16 @@
 
 namespace afx::tools {
 
-int decode_points(const DecodeOptions& options, OutputFiles& outputs, const Session& session) {
-  Diagnostics diagnostics;
-  auto model = read_model_input(options.input, session, diagnostics);
-  if (!model.ok()) return session.fail(model.error(), options.input, diagnostics);
+int decode_points(const DecodeOptions& options, const Input& input, OutputFiles& outputs,
+                  const Session& session, Diagnostics& diagnostics) {
+  if (Status right = refuse_raw_octree(input); !right.ok())
+    return session.fail(right.error(), options.input, diagnostics);
+  OctreeQuery query{.node = {}, .resolution = {}, .frame = options.frame};
+  auto model = read_model_input(input, query, session, diagnostics);
+  if (!model.ok()) {
+    session.show(diagnostics, options.input);
+    return session.fail_query(model.error(), query.missing_is_usage, options.input);
+  }
   const auto surfels = surfels_of_input(std::move(model).value(), session, diagnostics);
   if (!surfels.ok()) return session.fail(surfels.error(), options.input, diagnostics);
   const PointCloud points = points_of(surfels.value());

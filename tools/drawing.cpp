@@ -12,24 +12,6 @@
 namespace afx::tools {
 namespace {
 
-/// Warns of what the scene has and this version does not draw.
-void warn_of_undrawn(const nodes::Scene& scene, Diagnostics& diagnostics) {
-  std::map<std::string, size_t> left_out;
-  for (uint32_t i = 0; i < scene.node_count(); ++i) {
-    const nodes::NodeId id(i);
-    const std::string& type = scene.type_name(id);
-    if (scene.node(id).scope != nodes::Scene::kMain || (type != "Shape" && type != "Inline"))
-      continue;
-    if (nodes::NodeView(scene, id).child("geometry").type() == "BitWrapper") continue;
-    ++left_out[type];
-  }
-  for (const auto& [type, count] : left_out) {
-    diagnostics.warn("not_drawn", Place::none(),
-                     counted(count, type) + (count == 1 ? " is" : " are") +
-                         " left out: this version draws DepthImages and OctreeImages");
-  }
-}
-
 DepthCamera depth_camera(const render::Camera& camera, const render::RenderOptions& options,
                          double far) {
   const double aspect = static_cast<double>(options.width) / options.height;
@@ -46,6 +28,17 @@ DepthCamera depth_camera(const render::Camera& camera, const render::RenderOptio
     result.field_of_view = {2 * std::atan(slope * aspect), camera.field_of_view};
   }
   return result;
+}
+
+/// The vertices that triangles use, each once.
+std::vector<glm::dvec3> corners_of(const Mesh& mesh) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const glm::uvec3& triangle : mesh.triangles)
+    for (int k = 0; k < 3; ++k) used[triangle[k]] = true;
+  std::vector<glm::dvec3> corners;
+  for (size_t i = 0; i < used.size(); ++i)
+    if (used[i]) corners.emplace_back(mesh.positions[i]);
+  return corners;
 }
 
 }  // namespace
@@ -105,7 +98,7 @@ Status Drawing::add(const LoadedScene& scene) {
                         : add_depth_images(object, scene.base());
     if (!status.ok()) return status;
   }
-  warn_of_undrawn(scene.scene, diagnostics_);
+  warn_of_left_out(scene.scene, diagnostics_);
   if (!voxels_.empty() || !surfels_.empty()) return {};
   return Error{Errc::malformed, Place::none(),
                "the scene shows nothing to draw (expected a DepthImage or an OctreeImage)"};
@@ -126,6 +119,7 @@ Status Drawing::add(ModelInput&& model, Shade shade) {
   if (auto* mesh = std::get_if<Mesh>(&model)) {
     mesh_ = std::make_unique<Mesh>(std::move(*mesh));
     look_ = std::make_unique<MeshLook>(*mesh_, shade);
+    corners_ = corners_of(*mesh_);
     return {};
   }
   if (const auto* models = std::get_if<std::vector<DibrModel>>(&model)) return add(*models);
@@ -156,18 +150,14 @@ Status Drawing::add(const std::vector<DepthImage>& images, const glm::dmat4& to_
 }
 
 std::vector<glm::dvec3> Drawing::outline() const {
-  if (!mesh_) return render::outline(scene_);
-  std::vector<glm::dvec3> points;
-  for (const glm::uvec3& triangle : mesh_->triangles)
-    for (int k = 0; k < 3; ++k) points.emplace_back(mesh_->positions[triangle[k]]);
-  return points;
+  return mesh_ ? corners_ : render::outline(scene_);
 }
 
 Result<render::RenderedImage> Drawing::draw_mesh(const render::Camera& camera,
                                                  const render::RenderOptions& options) const {
   double far = 0;
   const glm::dvec3 ahead = camera.orientation * glm::dvec3(0, 0, -1);
-  for (const glm::dvec3& point : outline())
+  for (const glm::dvec3& point : corners_)
     far = std::max(far, glm::dot(point - camera.position, ahead));
   const Shot shot{depth_camera(camera, options, std::max(far, camera.near_plane) * 1.01 + 1e-6),
                   options.width, options.height};

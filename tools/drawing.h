@@ -9,6 +9,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "afx/builder/mesh.h"
 #include "afx/builder/mesh_look.h"
@@ -36,7 +37,7 @@ class Drawing {
   /// Octrees are drawn at this level, or at their finest.
   void set_level(unsigned level) { level_ = level; }
 
-  /// Adds what a scene shows. Warnings   not_drawn: nodes that this version does not draw
+  /// Adds what a scene shows. Warnings   those of warn_of_left_out
   /// Errors  those of reading; malformed: there is nothing to draw
   Status add(const LoadedScene& scene);
   /// Adds an octree. to_world   from the cube of side 1 around the origin
@@ -76,6 +77,7 @@ class Drawing {
   std::list<Surfels> surfels_;
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<MeshLook> look_;
+  std::vector<glm::dvec3> corners_;  // of the mesh
   render::Scene scene_;
 };
 

@@ -94,6 +94,7 @@ const char* describe(Kind kind) {
 
 bool is_text_scene(Kind kind) { return kind == Kind::scene_text || kind == Kind::scene_xml; }
 bool is_coded_scene(Kind kind) { return kind == Kind::mp4 || kind == Kind::raw_bifs; }
+bool is_scene(Kind kind) { return is_text_scene(kind) || is_coded_scene(kind); }
 
 int output_format(const Session& session, const std::string& path, const std::string& option,
                   std::span<const char* const> names, std::string& format) {

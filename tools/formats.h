@@ -38,6 +38,8 @@ const char* describe(Kind kind);
 bool is_text_scene(Kind kind);
 /// Whether it is a scene as a stream: mp4, raw_bifs.
 bool is_coded_scene(Kind kind);
+/// Either.
+bool is_scene(Kind kind);
 
 /// Tells what an output is to be: its name's ending, or --format (`option`) where the name is "-"
 /// or has no ending that is known. Anything else, and a --format that the ending denies, is

@@ -36,9 +36,25 @@ bool looks_like_xmt(std::span<const uint8_t> bytes) {
          head.find("<XMT-A") != std::string_view::npos;
 }
 
-Error with_file(Error error, const std::string& path) {
-  if (error.file.empty()) error.file = path;
-  return error;
+/// Opens a file; its kind may stay unknown.
+Result<Input> open_any(const std::string& path, const std::string& input_format,
+                       const Limits& limits, Diagnostics& diagnostics) {
+  auto file = MappedFile::open(path, limits);
+  if (!file.ok()) return in_file(std::move(file).error(), path);
+  Input input{path, Kind::unknown, std::move(file).value()};
+  if (!input_format.empty()) {
+    input.kind = kind_of_format(input_format);
+    return input;
+  }
+  const Kind ending = kind_of_ending(path);
+  const Kind content =
+      ending == Kind::raw_octree ? Kind::raw_octree : kind_of_content(input.file.bytes());
+  input.kind = content == Kind::unknown ? ending : content;
+  if (content != Kind::unknown && ending != Kind::unknown && content != ending) {
+    diagnostics.warn("wrong_ending", Place::none(),
+                     std::string("is ") + describe(content) + ", whatever its ending says");
+  }
+  return input;
 }
 
 /// Octree fields of a stream: the only frame, or the one asked for.
@@ -92,31 +108,28 @@ std::string Input::folder() const {
   return path == "-" ? std::string() : std::filesystem::path(path).parent_path().string();
 }
 
+Error in_file(Error error, const std::string& file) {
+  if (error.file.empty()) error.file = file;
+  return error;
+}
+
 Result<Input> open_input(const std::string& path, const std::string& input_format,
                          const Limits& limits, Diagnostics& diagnostics) {
-  auto file = MappedFile::open(path, limits);
-  if (!file.ok()) return with_file(std::move(file).error(), path);
-  Input input{path, Kind::unknown, std::move(file).value()};
-  if (!input_format.empty()) {
-    input.kind = kind_of_format(input_format);
-    return input;
-  }
-  const Kind ending = kind_of_ending(path);
-  const Kind content =
-      ending == Kind::raw_octree ? Kind::raw_octree : kind_of_content(input.file.bytes());
-  input.kind = content == Kind::unknown ? ending : content;
-  if (content != Kind::unknown && ending != Kind::unknown && content != ending) {
-    diagnostics.warn("wrong_ending", Place::none(),
-                     std::string("is ") + describe(content) + ", whatever its ending says");
-  }
-  if (input.kind == Kind::unknown) {
-    return Error{Errc::malformed,
-                 Place::none(),
-                 "neither content nor ending tells what this is (expected .wrl, .bt, .xmt, .mp4, "
-                 ".bifs, .afx, .oct, a picture, or --input-format)",
-                 {},
-                 path};
-  }
+  auto input = open_any(path, input_format, limits, diagnostics);
+  if (!input.ok() || input.value().kind != Kind::unknown) return input;
+  return Error{Errc::malformed,
+               Place::none(),
+               "neither content nor ending tells what this is (expected .wrl, .bt, .xmt, .mp4, "
+               ".bifs, .afx, .oct, a picture, or --input-format)",
+               {},
+               path};
+}
+
+Result<Input> open_model_input(const std::string& path, const std::string& input_format,
+                               const Limits& limits, Diagnostics& diagnostics) {
+  if (path == "-") return open_input(path, input_format, limits, diagnostics);
+  auto input = open_any(path, input_format, limits, diagnostics);
+  if (input.ok() && input.value().kind == Kind::unknown) input.value().kind = Kind::model;
   return input;
 }
 
@@ -129,9 +142,7 @@ std::string useless_option(const OctreeQuery& query, std::span<const Kind> input
                             describe(inputs.empty() ? Kind::unknown : inputs.front());
   if (query.resolution && none(Kind::raw_octree))
     return "--resolution is for raw octrees (.oct)" + found;
-  const bool scene = std::any_of(inputs.begin(), inputs.end(), [](Kind kind) {
-    return is_text_scene(kind) || is_coded_scene(kind);
-  });
+  const bool scene = std::any_of(inputs.begin(), inputs.end(), is_scene);
   if (!query.node.empty() && !scene) return "--node is for scenes" + found;
   if (query.frame && none(Kind::octree_stream))
     return "--frame is for OctreeImage streams (.afx)" + found;
@@ -164,7 +175,7 @@ Result<OctreeNode> read_octree(const Input& input, OctreeQuery& query, const Lim
   const auto read = [&]() -> Result<OctreeNode> {
     if (input.kind == Kind::octree_stream) return read_stream(input, query, limits, diagnostics);
     if (input.kind == Kind::raw_octree) return read_raw(input, query, limits);
-    if (!is_text_scene(input.kind) && !is_coded_scene(input.kind)) {
+    if (!is_scene(input.kind)) {
       return Error{Errc::unsupported, Place::none(),
                    std::string("is ") + describe(input.kind) + " (expected a scene, .afx or .oct)"};
     }
@@ -175,7 +186,7 @@ Result<OctreeNode> read_octree(const Input& input, OctreeQuery& query, const Lim
     return read_octree_node(view.value(), scene.value().base(), limits, diagnostics);
   };
   auto octree = read();
-  if (!octree.ok()) return with_file(std::move(octree).error(), input.path);
+  if (!octree.ok()) return in_file(std::move(octree).error(), input.path);
   return octree;
 }
 

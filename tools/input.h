@@ -28,11 +28,19 @@ struct Input {
   [[nodiscard]] std::string folder() const;  ///< what urls in it are relative to
 };
 
+/// The error with the file that it is about, if it names none.
+Error in_file(Error error, const std::string& file);
+
 /// Opens a file and tells its kind: --input-format if given, .oct by the ending, else the content,
 /// else the ending. Where content and ending disagree, content wins (warning wrong_ending). Errors
 /// as MappedFile::open; malformed: nothing tells what it is
 Result<Input> open_input(const std::string& path, const std::string& input_format,
                          const Limits& limits, Diagnostics& diagnostics);
+
+/// The same where meshes and points are read too: what nothing tells the kind of is taken for one,
+/// because their readers know more endings. Not so for standard input.
+Result<Input> open_model_input(const std::string& path, const std::string& input_format,
+                               const Limits& limits, Diagnostics& diagnostics);
 
 /// What an input of octrees is asked for.
 struct OctreeQuery {

@@ -3,9 +3,7 @@
 #include "tools/model_compare.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "afx/builder/cloud_compare.h"
@@ -13,6 +11,7 @@
 #include "afx/builder/shading.h"
 #include "afx/builder/surface_samples.h"
 #include "afx/picture_compare.h"
+#include "afx/surfel_sources.h"
 #include "afx/voxel_shading.h"
 #include "render/view_ring.h"
 #include "tools/drawing.h"
@@ -24,51 +23,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A measure that can be limited.
-struct Measure {
-  const char* name;
-  bool at_most;  ///< else at least
-};
-constexpr Measure kMeasures[] = {{"d1", true},      {"d2", true},    {"hausdorff", true},
-                                 {"colour", false}, {"psnr", false}, {"ssim", false}};
-
-struct Limit {
-  Measure measure{};
-  double value = 0;
-};
-
-std::optional<Limit> parse_limit(const std::string& text) {
-  const size_t equals = text.find('=');
-  if (equals == std::string::npos) return {};
-  Limit limit;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data() + equals + 1, end, limit.value);
-  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(limit.value)) return {};
-  for (const Measure& measure : kMeasures)
-    if (text.compare(0, equals, measure.name) == 0) {
-      limit.measure = measure;
-      return limit;
-    }
-  return {};
-}
-
-Error in_file(Error error, const std::string& file) {
-  if (error.file.empty()) error.file = file;
-  return error;
-}
-
-Shade shade_of(const ModelCompareOptions& options) {
-  if (options.shade == "always") return Shade::always;
-  return options.shade == "never" ? Shade::never : Shade::automatic;
-}
-
 /// The points of a mesh have the light on them that a model built from it has.
 Result<PointCloud> points_of_mesh(const Mesh& mesh, const ModelCompareOptions& options,
                                   const Session& session) {
   auto cloud = sample_surface(
       mesh,
       {.points = options.points, .threads = session.options.threads, .limits = session.limits});
-  if (!cloud.ok() || !is_to_be_shaded(colouring_of(mesh), shade_of(options))) return cloud;
+  if (!cloud.ok() || !is_to_be_shaded(colouring_of(mesh), shade_of(options.shade))) return cloud;
   PointCloud& points = cloud.value();
   const bool coloured = !points.colours.empty();
   points.colours.resize(points.positions.size());
@@ -83,8 +44,8 @@ Result<PointCloud> points_of_model(const ModelInput& model, const ModelCompareOp
   if (const auto* mesh = std::get_if<Mesh>(&model)) return points_of_mesh(*mesh, options, session);
   if (const auto* cloud = std::get_if<PointCloud>(&model)) return *cloud;
   if (const auto* surfels = std::get_if<Surfels>(&model)) return points_of(*surfels);
-  const auto surfels =
-      surfels_of_input(ModelInput(std::get<std::vector<DibrModel>>(model)), session, diagnostics);
+  const auto surfels = surfels_of(std::get<std::vector<DibrModel>>(model), session.options.threads,
+                                  session.limits, diagnostics);
   if (!surfels.ok()) return surfels.error();
   return points_of(surfels.value());
 }
@@ -183,57 +144,29 @@ Status compare_views(const Drawing& a, const Drawing& b, const ModelCompareOptio
   distance.json["views"] = sum.views;
   distance.json["psnr"] = decibels(psnr);
   distance.json["ssim"] = sum.ssim / sum.views;
-  distance.lines.push_back("pictures from " + std::to_string(sum.views) + " sides: " +
+  distance.lines.push_back("pictures from " + counted(sum.views, "side") + ": " +
                            decibel_text(psnr) + ", SSIM " + fixed(sum.ssim / sum.views, 4));
   return {};
 }
 
 }  // namespace
 
-std::string check_limits(const std::vector<std::string>& limits) {
-  for (const std::string& text : limits)
-    if (!parse_limit(text))
-      return "--max-error is " + text +
-             " (expected NAME=NUMBER, NAME one of d1, d2, hausdorff, colour, psnr, ssim)";
-  return {};
-}
-
-std::vector<std::string> broken_limits(const std::vector<std::string>& limits, const Json& json) {
-  std::vector<std::string> broken;
-  for (const std::string& text : limits) {
-    const std::optional<Limit> limit = parse_limit(text);
-    if (!limit) continue;
-    const std::string name = limit->measure.name;
-    const auto found = json.find(name);
-    if (found == json.end()) {
-      broken.push_back(name + " was not measured");
-      continue;
-    }
-    if (found->is_null()) continue;  // infinite: nothing differs
-    const double value = found->get<double>();
-    const bool kept = limit->measure.at_most ? value <= limit->value : value >= limit->value;
-    if (!kept)
-      broken.push_back(name + " is " + found->dump() + " (expected at " +
-                       (limit->measure.at_most ? "most " : "least ") +
-                       text.substr(text.find('=') + 1) + ")");
-  }
-  return broken;
-}
-
-Result<ModelDistance> compare_models(const std::string& a, const std::string& b,
-                                     const ModelCompareOptions& options, const Session& session,
-                                     Diagnostics (&diagnostics)[2]) {
-  const std::string* paths[] = {&a, &b};
+Result<ModelDistance> compare_models(const Input& a, const Input& b,
+                                     const ModelCompareOptions& options, OctreeQuery& query,
+                                     const Session& session, Diagnostics (&diagnostics)[2]) {
+  const Input* inputs[] = {&a, &b};
   std::vector<PointCloud> clouds;
-  Drawing drawings[] = {Drawing(session, diagnostics[0]), Drawing(session, diagnostics[1])};
+  Diagnostics unheard;  // taking the points has said it all
+  Drawing drawings[] = {Drawing(session, unheard), Drawing(session, unheard)};
   for (size_t i = 0; i < 2; ++i) {
-    auto model = read_model_input(*paths[i], session, diagnostics[i]);
+    auto model = read_model_input(*inputs[i], query, session, diagnostics[i]);
     if (!model.ok()) return std::move(model).error();
     auto cloud = points_of_model(model.value(), options, session, diagnostics[i]);
-    if (!cloud.ok()) return in_file(std::move(cloud).error(), *paths[i]);
+    if (!cloud.ok()) return in_file(std::move(cloud).error(), inputs[i]->path);
     clouds.push_back(std::move(cloud).value());
-    const Status added = drawings[i].add(std::move(model).value(), shade_of(options));
-    if (!added.ok()) return in_file(added.error(), *paths[i]);
+    if (options.views == 0) continue;
+    const Status added = drawings[i].add(std::move(model).value(), shade_of(options.shade));
+    if (!added.ok()) return in_file(added.error(), inputs[i]->path);
   }
   const auto difference =
       compare_clouds(clouds[0], clouds[1],
@@ -242,7 +175,7 @@ Result<ModelDistance> compare_models(const std::string& a, const std::string& b,
   ModelDistance distance;
   for (size_t i = 0; i < 2; ++i) {
     const std::string name = i == 0 ? "A" : "B";
-    const Json sizes = model_sizes(*paths[i], session);
+    const Json sizes = model_sizes(*inputs[i], session);
     distance.json["size" + name] = sizes;
     distance.lines.push_back(name + ": " + size_text(sizes));
   }

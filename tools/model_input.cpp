@@ -5,20 +5,14 @@
 #include <utility>
 
 #include "afx/builder/model_reader.h"
-#include "afx/builder/rgbd_reader.h"
 #include "afx/builder/point_surfels.h"
+#include "afx/builder/rgbd_reader.h"
 #include "afx/surfel_sources.h"
 #include "tools/abort_guard.h"
-#include "tools/input.h"
 #include "tools/scene_input.h"
 
 namespace afx::tools {
 namespace {
-
-Error in_file(Error error, const std::string& file) {
-  if (error.file.empty()) error.file = file;
-  return error;
-}
 
 /// A model in memory, or the error with its file.
 template <class Model>
@@ -42,6 +36,7 @@ Result<std::vector<DibrModel>> read_scene_models(const Input& input, const Limit
                                                  Diagnostics& diagnostics) {
   const auto scene = read_scene(input, limits, diagnostics);
   if (!scene.ok()) return scene.error();
+  warn_of_left_out(scene.value().scene, diagnostics);
   auto models = read_dibr_models(scene.value().scene, scene.value().base(), limits, diagnostics);
   if (models.ok() && models.value().empty())
     return Error{Errc::malformed, Place::none(),
@@ -50,47 +45,60 @@ Result<std::vector<DibrModel>> read_scene_models(const Input& input, const Limit
 }
 
 /// An octree alone, which has no pictures.
-Result<std::vector<DibrModel>> read_octree_alone(const Input& input, const Limits& limits,
-                                                 Diagnostics& diagnostics) {
-  OctreeQuery query;
+Result<std::vector<DibrModel>> read_octree_alone(const Input& input, OctreeQuery& query,
+                                                 const Limits& limits, Diagnostics& diagnostics) {
   auto octree = read_octree(input, query, limits, diagnostics);
   if (!octree.ok()) return std::move(octree).error();
   OctreeNode& node = octree.value();
+  if (node.images > 0)
+    diagnostics.warn("no_pictures", Place::none(),
+                     "a stream alone has no pictures: the model is grey");
   node.fields.voxel_image_index.clear();
   std::vector<DibrModel> models(1);
   models[0].shape = OctreeModel{node.resolution, std::move(node.fields), {}};
   return models;
 }
 
+Error no_model(const Input& input) {
+  const std::string found = std::string("is ") + describe(input.kind);
+  return {Errc::unsupported,
+          Place::none(),
+          found + " (expected a mesh, points, RGB-D pictures, a scene or .afx)",
+          {},
+          input.path};
+}
+
 }  // namespace
 
-Result<ModelInput> read_model_input(const std::string& path, const Session& session,
+Result<ModelInput> read_model_input(const Input& input, OctreeQuery& query, const Session& session,
                                     Diagnostics& diagnostics) {
-  Diagnostics on_opening;
-  const auto input = open_input(path, {}, session.limits, on_opening);
-  const bool told = input.ok() && input.value().kind != Kind::unknown;
-  if (!input.ok() && input.error().code != Errc::malformed) return input.error();
-  if (!told || input.value().kind == Kind::model)
-    return read_mesh_or_points(path, session.limits, diagnostics);
-  diagnostics.append(on_opening);
-  switch (input.value().kind) {
+  const Limits& limits = session.limits;
+  const std::string& path = input.path;
+  switch (input.kind) {
+    case Kind::model:
+      return read_mesh_or_points(path, limits, diagnostics);
     case Kind::scene_text:
     case Kind::scene_xml:
     case Kind::mp4:
     case Kind::raw_bifs:
-      return given(read_scene_models(input.value(), session.limits, diagnostics), path);
+      return given(read_scene_models(input, limits, diagnostics), path);
     case Kind::octree_stream:
-      return given(read_octree_alone(input.value(), session.limits, diagnostics), path);
+    case Kind::raw_octree:
+      return given(read_octree_alone(input, query, limits, diagnostics), path);
     case Kind::json:
-      return given(read_rgbd(path, session.options.threads, session.limits, diagnostics), path);
+      return given(read_rgbd(path, session.options.threads, limits, diagnostics), path);
     default:
-      return Error{Errc::unsupported,
-                   Place::none(),
-                   std::string("is ") + describe(input.value().kind) +
-                       " (expected a mesh, points, RGB-D pictures or a scene)",
-                   {},
-                   path};
+      return no_model(input);
   }
+}
+
+Status refuse_raw_octree(const Input& input) {
+  return input.kind == Kind::raw_octree ? Status(no_model(input)) : Status();
+}
+
+Shade shade_of(const std::string& option) {
+  if (option == "always") return Shade::always;
+  return option == "never" ? Shade::never : Shade::automatic;
 }
 
 Result<Surfels> surfels_of_input(ModelInput&& model, const Session& session,

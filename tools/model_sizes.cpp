@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "afx/octree_image.h"
-#include "tools/input.h"
 #include "tools/scene_input.h"
 
 namespace afx::tools {
@@ -47,15 +46,11 @@ void add_scene(const LoadedScene& scene, const Session& session, Json& sizes) {
 
 }  // namespace
 
-Json model_sizes(const std::string& path, const Session& session) {
-  Json sizes = Json::object();
+Json model_sizes(const Input& input, const Session& session) {
+  Json sizes{{"file", input.file.bytes().size()}};
+  if (!is_scene(input.kind)) return sizes;
   Diagnostics unheard;
-  const auto file = MappedFile::open(path, session.limits);
-  if (file.ok()) sizes["file"] = file.value().bytes().size();
-  const auto input = open_input(path, {}, session.limits, unheard);
-  if (!input.ok()) return sizes;
-  if (!is_text_scene(input.value().kind) && !is_coded_scene(input.value().kind)) return sizes;
-  const auto scene = read_scene(input.value(), session.limits, unheard);
+  const auto scene = read_scene(input, session.limits, unheard);
   if (scene.ok()) add_scene(scene.value(), session, sizes);
   return sizes;
 }

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -60,7 +61,19 @@ class Program : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder_ / "out.log"),
             read_file(folder_ / "err.log")};
   }
+  /// The JSON result of a run that must end with this code.
+  [[nodiscard]] nlohmann::json result(const std::string& words, int code = 0) const {
+    const Outcome outcome = run(words + " --json");
+    EXPECT_EQ(outcome.code, code) << words << "\n" << outcome.err;
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+  }
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
+  /// What all files hold.
+  [[nodiscard]] std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> contents;
+    for (const std::string& name : files()) contents[name] = read_file(file(name));
+    return contents;
+  }
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -75,5 +88,9 @@ class Program : public testing::Test {
 };
 
 constexpr const char* kTwoTriangles = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nf 1 2 3\nf 2 4 3\n";
+
+/// Four sides that face in slanting directions.
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 }  // namespace afx::tools

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "tools/scene_input.h"
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include "afx/decoded_scene.h"
@@ -10,15 +12,12 @@
 #include "bifs/mp4_reader.h"
 #include "bifs/raw_bifs.h"
 #include "bifs/xmt_reader.h"
+#include "nodes/node_view.h"
 #include "nodes/scene_reader.h"
+#include "tools/session.h"
 
 namespace afx::tools {
 namespace {
-
-Error with_file(Error error, const std::string& path) {
-  if (error.file.empty()) error.file = path;
-  return error;
-}
 
 std::string_view text_of(const Input& input) {
   const std::span<const uint8_t> bytes = input.file.bytes();
@@ -68,7 +67,7 @@ Result<LoadedScene> read_coded(const Input& input, const Limits& limits, Diagnos
   options.file_name = input.path;
   options.limits = limits;
   auto decoded = decode_scene(loaded.coded->source, loaded.coded->movie, options, diagnostics);
-  if (!decoded.ok()) return with_file(std::move(decoded).error(), input.path);
+  if (!decoded.ok()) return in_file(std::move(decoded).error(), input.path);
   loaded.scene = std::move(decoded.value().scene);
   loaded.streams = std::move(decoded.value().streams);
   return loaded;
@@ -81,7 +80,7 @@ Result<nodes::Scene> read_text(const Input& input, const Limits& limits, Diagnos
     auto scene = nodes::read_scene_text(text_of(input), limits, found, text_options(input, limits));
     if (scene.ok() || scene.error().code != Errc::unsupported) {
       diagnostics.append(found);
-      if (!scene.ok()) return with_file(std::move(scene).error(), input.path);
+      if (!scene.ok()) return in_file(std::move(scene).error(), input.path);
       return scene;
     }
   }
@@ -89,7 +88,7 @@ Result<nodes::Scene> read_text(const Input& input, const Limits& limits, Diagnos
   if (!presentation.ok()) return std::move(presentation).error();
   NoSink nobody;
   const Status played = bifs::play(presentation.value(), nobody, diagnostics);
-  if (!played.ok()) return with_file(played.error(), input.path);
+  if (!played.ok()) return in_file(played.error(), input.path);
   return std::move(presentation.value().scene);
 }
 
@@ -101,12 +100,12 @@ Result<CodedScene> open_coded_scene(const Input& input, const Limits& limits,
   scene.source = source_of(input);
   if (input.kind == Kind::raw_bifs) {
     const auto raw = bifs::read_raw_bifs(input.file.bytes(), limits, trace);
-    if (!raw.ok()) return with_file(raw.error(), input.path);
+    if (!raw.ok()) return in_file(raw.error(), input.path);
     scene.movie = bifs::movie_of_raw_bifs(raw.value());
     return scene;
   }
   auto movie = bifs::read_mp4(scene.source, limits, diagnostics, trace);
-  if (!movie.ok()) return with_file(std::move(movie).error(), input.path);
+  if (!movie.ok()) return in_file(std::move(movie).error(), input.path);
   scene.movie = std::move(movie).value();
   return scene;
 }
@@ -118,7 +117,7 @@ Result<bifs::Presentation> read_presentation(const Input& input, const Limits& l
   auto presentation = input.kind == Kind::scene_xml
                           ? bifs::read_xmt(text_of(input), limits, diagnostics)
                           : bifs::read_bt(text_of(input), limits, diagnostics, options);
-  if (!presentation.ok()) return with_file(std::move(presentation).error(), input.path);
+  if (!presentation.ok()) return in_file(std::move(presentation).error(), input.path);
   input.file.let_go(input.file.bytes().size());
   return presentation;
 }
@@ -142,9 +141,26 @@ Result<nodes::Scene> read_plain_scene(const Input& input, const Limits& limits,
     options.limits = limits;
     const auto pictures =
         unpack_scene(loaded.value().scene, loaded.value().streams, options, diagnostics);
-    if (!pictures.ok()) return with_file(pictures.error(), input.path);
+    if (!pictures.ok()) return in_file(pictures.error(), input.path);
   }
   return std::move(loaded.value().scene);
+}
+
+void warn_of_left_out(const nodes::Scene& scene, Diagnostics& diagnostics) {
+  std::map<std::string, size_t> left_out;
+  for (uint32_t i = 0; i < scene.node_count(); ++i) {
+    const nodes::NodeId id(i);
+    const std::string& type = scene.type_name(id);
+    if (scene.node(id).scope != nodes::Scene::kMain || (type != "Shape" && type != "Inline"))
+      continue;
+    if (nodes::NodeView(scene, id).child("geometry").type() == "BitWrapper") continue;
+    ++left_out[type];
+  }
+  for (const auto& [type, count] : left_out) {
+    diagnostics.warn("left_out", Place::none(),
+                     counted(count, type) + (count == 1 ? " is" : " are") +
+                         " left out: this version takes DepthImages and OctreeImages only");
+  }
 }
 
 }  // namespace afx::tools

@@ -47,4 +47,7 @@ Result<LoadedScene> read_scene(const Input& input, const Limits& limits, Diagnos
 Result<nodes::Scene> read_plain_scene(const Input& input, const Limits& limits,
                                       Diagnostics& diagnostics);
 
+/// Warns of what a scene has and models of it have not (left_out): Shapes and Inlines.
+void warn_of_left_out(const nodes::Scene& scene, Diagnostics& diagnostics);
+
 }  // namespace afx::tools
