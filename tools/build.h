@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -33,7 +34,7 @@ struct BuildCommand {
   std::string image_format = "png";
   int jpeg_quality = 90;
   // depth and points
-  std::string views = "6";
+  std::optional<std::string> views;  ///< nothing: 6, of points one from the front
   bool perspective = false;
   bool coverage = false;
   bool depth_in_alpha = false;
@@ -53,7 +54,18 @@ struct BuildJob {
   ProgressBar& bar;
   OutputFiles& outputs;
   Diagnostics& diagnostics;
+  bool& option_is_wrong;       ///< set where an error is about what an option asks for
+  glm::dvec3 offset{0, 0, 0};  ///< what was taken off the model, see take_offset
 };
+
+/// Puts a model where the options want it. The objects of a scene become pieces of surface if they
+/// are to be moved.
+Status place_input(ModelInput& model, const BuildJob& job);
+
+/// Takes the middle of a model that lies far from the origin off it, so that what is built of it
+/// keeps its precision in the fields of nodes, which are floats.
+/// Returns  what was taken off, as floats can hold it; mostly zero
+glm::dvec3 take_offset(ModelInput& model);
 
 /// Something built: its scene, and what there is to say.
 struct BuiltScene {
@@ -93,7 +105,8 @@ class PictureFiles {
   size_t count_ = 0;
 };
 
-/// Adds what every built scene begins with, Group { Transform { } }, and gives the Transform.
-nodes::NodeId add_transform(nodes::Scene& scene);
+/// Adds what every built scene begins with, Group { Transform { } }, and gives the Transform. What
+/// was taken off the model is the translation of another one around it.
+nodes::NodeId add_transform(nodes::Scene& scene, const glm::dvec3& offset);
 
 }  // namespace afx::tools

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
+#include <algorithm>
 #include <utility>
 
 #include "afx/builder/depth_image_builder.h"
@@ -69,12 +70,13 @@ Result<BuiltScene> build_depth_scene(ModelInput&& model, const BuildJob& job) {
   options.coverage = job.command.coverage;
   options.progress = [&](const char* stage, double done) { job.bar.show(stage, done); };
   options.limits = job.session.limits;
-  const auto built = build_depth_images(looked_at.value()->views(), options);
+  auto built = build_depth_images(looked_at.value()->views(), options);
   if (!built.ok()) return built.error();
+  if (built.value().used == 0) return nothing_to_see();
+  auto& images = built.value().images;
   BuiltScene scene;
   PictureFiles files(job, job.command.jpeg_quality);
-  const nodes::NodeId transform = add_transform(scene.scene);
-  const auto& images = built.value().images;
+  const nodes::NodeId transform = add_transform(scene.scene, job.offset);
   for (size_t i = 0; i < images.size(); ++i) {
     job.bar.show("writing pictures", static_cast<double>(i) / static_cast<double>(images.size()));
     const auto urls = put_pictures(std::get<SimpleTexture>(images[i].texture),

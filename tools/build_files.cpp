@@ -38,10 +38,16 @@ template Result<std::string> PictureFiles::put(const std::string&, const Picture
 template Result<std::string> PictureFiles::put(const std::string&, const DeepPicture&,
                                                const std::string&, bool);
 
-nodes::NodeId add_transform(nodes::Scene& scene) {
+nodes::NodeId add_transform(nodes::Scene& scene, const glm::dvec3& offset) {
   const nodes::NodeId top = add_known(scene, "Group");  // BIFS has no Transform at the top
   const nodes::NodeId transform = add_known(scene, "Transform");
-  set_known(scene, top, "children", std::vector<nodes::NodeId>{transform});
+  nodes::NodeId outer = transform;
+  if (offset != glm::dvec3(0)) {
+    outer = add_known(scene, "Transform");
+    set_known(scene, outer, "translation", glm::vec3(offset));
+    set_known(scene, outer, "children", std::vector<nodes::NodeId>{transform});
+  }
+  set_known(scene, top, "children", std::vector<nodes::NodeId>{outer});
   scene.add_root(top);
   return transform;
 }

@@ -38,7 +38,7 @@ BuildOptions options_of(const ModelInput& model, const BuildJob& job) {
     options.resolution = std::get<OctreeModel>(models.front().shape).resolution;
   }
   if (const std::vector<double>& c = job.command.cube; !c.empty())
-    options.cube = Cube{{c[0], c[1], c[2]}, c[3]};
+    options.cube = Cube{glm::dvec3(c[0], c[1], c[2]) - job.offset, c[3]};
   options.image_size = job.command.image_size;
   options.images = job.command.images;
   if (job.command.image_format == "jpeg") {
@@ -101,7 +101,10 @@ Result<CodedPictures> code_pictures(const BuiltOctree& built, const BuildJob& jo
   CodedPictures coded;
   if (job.command.image_format == "jpeg") {
     auto jpeg = code_jpeg(built, job);
-    if (!jpeg.ok()) return std::move(jpeg).error();
+    if (!jpeg.ok()) {
+      job.option_is_wrong = jpeg.error().code == Errc::bad_argument;  // a target out of reach
+      return std::move(jpeg).error();
+    }
     return CodedPictures{std::move(jpeg.value().files), jpeg.value().quality, jpeg.value().psnr};
   }
   for (const ReferenceImage& image : built.model.images) {
@@ -113,11 +116,11 @@ Result<CodedPictures> code_pictures(const BuiltOctree& built, const BuildJob& jo
 }
 
 void compose(const BuiltOctree& built, const std::vector<std::string>& pictures,
-             nodes::Scene& scene) {
+             const glm::dvec3& offset, nodes::Scene& scene) {
   std::vector<ReferenceImageNode> images;
   for (size_t i = 0; i < pictures.size(); ++i)
     images.push_back({built.model.images[i], pictures[i], kReferenceNearPlane, kReferenceFarPlane});
-  const nodes::NodeId transform = add_transform(scene);
+  const nodes::NodeId transform = add_transform(scene, offset);
   const nodes::NodeId octree =
       add_octree_image(scene, built.model.resolution, built.model.fields, images);
   set_known(scene, transform, "translation", glm::vec3(built.statistics.centre));
@@ -168,7 +171,7 @@ Result<BuiltScene> build_octree_scene(ModelInput&& model, const BuildJob& job) {
     names.push_back(name.value());
   }
   BuiltScene scene;
-  compose(built.value(), names, scene.scene);
+  compose(built.value(), names, job.offset, scene.scene);
   describe(built.value(), files, scene);
   if (coded.value().quality == 0) return scene;
   scene.lines.push_back("  JPEG quality " + std::to_string(coded.value().quality) +

@@ -3,6 +3,7 @@
 #include "tools/build_views.h"
 
 #include <charconv>
+#include <limits>
 #include <utility>
 
 #include "afx/builder/camera_list.h"
@@ -25,12 +26,16 @@ Result<std::vector<Shot>> cameras_of_scene(const Input& input, const BuildJob& j
   for (const DibrModel& model : models.value()) {
     const auto* images = std::get_if<std::vector<DepthImage>>(&model.shape);
     if (images == nullptr) continue;
-    if (model.to_world != glm::dmat4(1))
+    glm::dmat4 moved(1);
+    moved[3] = model.to_world[3];
+    if (model.to_world != moved)
       return Error{Errc::unsupported, Place::none(),
-                   "its DepthImages stand under a Transform that moves them (expected cameras in "
-                   "the coordinates of the scene)"};
-    for (const DepthImage& image : *images)
+                   "its DepthImages stand under a Transform that turns or scales them (expected "
+                   "one that moves them at most)"};
+    for (const DepthImage& image : *images) {
       shots.push_back({image.camera, image.width(), image.height()});
+      shots.back().camera.position += glm::dvec3(moved[3]);
+    }
   }
   if (shots.empty())
     return Error{Errc::bad_argument, Place::none(), "has no DepthImages to take cameras from"};
@@ -68,19 +73,35 @@ Result<Surfels> LookedAt::surfels(uint32_t resolution, const BuildJob& job) && {
   return surfels_of(*look_, resolution, job.session.options.threads, job.session.limits);
 }
 
+std::optional<uint64_t> count_of_views(const std::string& views) {
+  uint64_t count = 0;
+  const char* end = views.data() + views.size();
+  const auto parsed = std::from_chars(views.data(), end, count);
+  if (parsed.ptr != end) return {};
+  return parsed.ec == std::errc() ? count : std::numeric_limits<uint64_t>::max();
+}
+
+Error nothing_to_see() {
+  return {Errc::bad_argument, Place::none(),
+          "nothing of the model can be seen (expected a surface before the cameras)"};
+}
+
 Result<ViewsOption> read_views_option(const BuildJob& job) {
-  const std::string& text = job.command.views;
+  const std::string text = job.command.views.value_or("6");
   ViewsOption option;
-  if (text == "auto") return option;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), option.count);
-  if (parsed.ptr == text.data() + text.size()) {
-    if (parsed.ec == std::errc() && option.count >= 1 && option.count <= kMostViews) return option;
-    return Error{Errc::bad_argument, Place::none(),
-                 "--views is " + text + " (expected 1 to 255, auto or a file)"};
+  if (text == kAutomaticViews) return option;
+  if (const std::optional<uint64_t> count = count_of_views(text)) {
+    option.count = static_cast<unsigned>(*count);
+    return option;
   }
   auto shots = cameras_of_file(text, job);
   if (!shots.ok()) return in_file(std::move(shots).error(), text);
   option.shots = std::move(shots).value();
+  if (job.offset == glm::dvec3(0)) return option;
+  for (Shot& shot : option.shots) {
+    shot.camera.position -= job.offset;
+    shot.camera = as_in_node(shot.camera);
+  }
   return option;
 }
 

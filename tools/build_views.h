@@ -30,16 +30,25 @@ class LookedAt {
   std::unique_ptr<ViewSource> views_;
 };
 
+inline constexpr const char* kAutomaticViews = "auto";
+
+/// The number that --views is, the greatest one where it is too large for that; nothing: it is
+/// none.
+std::optional<uint64_t> count_of_views(const std::string& views);
+
+/// The error of a model of which no pixel shows anything.
+Error nothing_to_see();
+
 /// What --views asks for.
 struct ViewsOption {
   unsigned count = 0;       ///< evenly spread; 0: as many as it takes
-  std::vector<Shot> shots;  ///< not empty: these
+  std::vector<Shot> shots;  ///< not empty: these, in the coordinates of the model
 };
 
-/// Reads --views: a number, "auto", or the name of a camera list or of a scene whose DepthImages'
-/// cameras are meant.
-/// Errors  bad_argument: a number out of range, a scene without DepthImages, or with such that a
-///         Transform moves; those of reading the file
+/// Reads --views: a number, which has been checked, "auto", or the name of a camera list or of a
+/// scene whose DepthImages' cameras are meant. What was taken off the model is taken off cameras.
+/// Errors  bad_argument: a scene without DepthImages; unsupported: DepthImages that a Transform
+///         turns or scales; those of reading the file
 Result<ViewsOption> read_views_option(const BuildJob& job);
 
 }  // namespace afx::tools

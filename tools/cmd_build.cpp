@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -8,9 +9,11 @@
 
 #include "afx/builder/depth_image_builder.h"
 #include "afx/builder/octree_builder.h"
-#include "afx/builder/placement.h"
+#include "afx/builder/reference_cameras.h"
+#include "afx/builder/view_plan.h"
 #include "nodes/scene_writer.h"
 #include "tools/build.h"
+#include "tools/build_views.h"
 #include "tools/commands.h"
 #include "tools/formats.h"
 
@@ -32,7 +35,20 @@ const Form& form_of(const BuildCommand& command) {
   return kForms[0];  // the option takes no other
 }
 
-/// A sentence about options that do not fit each other; empty: there is none.
+/// A sentence about --views; empty: nothing is wrong with it, or it names a file.
+std::string wrong_views(const BuildCommand& c) {
+  if (!c.views) return {};
+  const std::optional<uint64_t> count = count_of_views(*c.views);
+  if (c.as == "points" && (count || *c.views == kAutomaticViews))
+    return "--views is " + *c.views +
+           " (expected a file with one camera, the reference plane of --as points)";
+  if (count && (*count < 1 || *count > kMostViews))
+    return "--views is " + *c.views + " (expected 1 to " + std::to_string(kMostViews) +
+           ", auto or a file)";
+  return {};
+}
+
+/// A sentence about options that are wrong or do not fit each other; empty: there is none.
 std::string clash(const BuildCommand& c) {
   const Form& form = form_of(c);
   if (c.resolution > form.most)
@@ -42,7 +58,7 @@ std::string clash(const BuildCommand& c) {
   const bool targets = c.target_size || c.target_psnr;
   if (!octree && (c.image_size != 0 || c.images != 0 || targets || !c.cube.empty()))
     return "--image-size, --images, --target-size, --target-psnr and --cube are for --as octree";
-  if (octree && (c.views != BuildCommand().views || c.perspective || c.depth_bits != 0))
+  if (octree && (c.views || c.perspective || c.depth_bits != 0))
     return "--views, --perspective and --depth-bits are for --as depth and --as points";
   if (!depth && (c.coverage || c.depth_in_alpha))
     return "--coverage and --depth-in-alpha are for --as depth";
@@ -50,20 +66,16 @@ std::string clash(const BuildCommand& c) {
     return "--depth-bits is " + std::to_string(c.depth_bits) + " (expected 8 or 16 for --as depth)";
   if (c.depth_in_alpha && c.image_format == "jpeg")
     return "JPEG has no alpha channel (expected --image-format png with --depth-in-alpha)";
+  if (c.images != 0 && c.images < kSideViews)
+    return "--images is " + std::to_string(c.images) + " (expected 0, or 6 to 127)";
+  if (!std::isfinite(c.scale) || !std::isfinite(c.fit.value_or(1)))
+    return "--scale and --fit are finite numbers";
   if (c.fit && c.scale != 1) return "--scale and --fit exclude each other";
   if (c.target_size && c.target_psnr) return "--target-size and --target-psnr exclude each other";
   if (targets && c.image_format != "jpeg")
     return "PNG has one quality only (expected --image-format jpeg with a target)";
   if (!c.cube.empty() && !(c.cube[3] > 0)) return "the side of --cube is not above 0";
-  return {};
-}
-
-Placement placement_of(const BuildCommand& command) {
-  Placement placement;
-  placement.up = command.up == "z" ? UpAxis::z : UpAxis::y;
-  placement.scale = command.scale;
-  placement.fit = command.fit.value_or(0);
-  return placement;
+  return wrong_views(c);
 }
 
 /// Files of these kinds mean z by up more often than not; the user may not know.
@@ -71,21 +83,6 @@ std::string hint_of(const BuildCommand& command) {
   const std::string ending = ending_of(command.inputs.front());
   if (!command.up.empty() || (ending != "stl" && ending != "3ds")) return {};
   return "  up: the y axis; files of this kind often mean z, which --up z takes";
-}
-
-/// Puts a model where it is wanted. The objects of a scene become pieces of surface if they are to
-/// be moved.
-Status place_input(ModelInput& model, const BuildJob& job) {
-  const Placement placement = placement_of(job.command);
-  if (placement == Placement()) return {};
-  if (std::holds_alternative<std::vector<DibrModel>>(model)) {
-    auto surfels = surfels_of_input(std::move(model), job.session, job.diagnostics);
-    if (!surfels.ok()) return surfels.error();
-    model = std::move(surfels).value();
-  }
-  if (auto* mesh = std::get_if<Mesh>(&model)) return place(*mesh, placement);
-  if (auto* cloud = std::get_if<PointCloud>(&model)) return place(*cloud, placement);
-  return place(std::get<Surfels>(model), placement);
 }
 
 Result<ModelInput> read_input(const BuildJob& job) {
@@ -102,16 +99,19 @@ Result<BuiltScene> build_scene(const BuildJob& job) {
   auto model = read_input(job);
   if (!model.ok()) return std::move(model).error();
   if (Status placed = place_input(model.value(), job); !placed.ok()) return placed.error();
-  return form_of(job.command).build(std::move(model).value(), job);
+  BuildJob placed_job = job;
+  placed_job.offset = take_offset(model.value());
+  return form_of(job.command).build(std::move(model).value(), placed_job);
 }
 
 /// Writes the text of the scene; gives its size.
 Result<uint64_t> write_scene(const BuiltScene& built, const std::string& format,
-                             const BuildJob& job) {
+                             const std::string& path, const Session& session,
+                             OutputFiles& outputs) {
   uint64_t bytes = 0;
   OutputFiles::Sink put = [](std::span<const uint8_t>) { return Status(); };
-  if (!job.session.options.dry_run) {
-    auto begun = job.outputs.begin(job.command.output);
+  if (!session.options.dry_run) {
+    auto begun = outputs.begin(path);
     if (!begun.ok()) return std::move(begun).error();
     put = std::move(begun).value();
   }
@@ -141,11 +141,14 @@ int build(const BuildCommand& command, const Session& session) {
   const std::string& input = command.inputs.front();
   Diagnostics diagnostics;
   ProgressBar bar(session.options.progress, session.options.quiet);
-  const BuildJob job{command, session, bar, outputs, diagnostics};
-  auto built = build_scene(job);
-  if (!built.ok()) return session.fail(built.error(), input, diagnostics);
+  bool option_is_wrong = false;
+  auto built = build_scene({command, session, bar, outputs, diagnostics, option_is_wrong});
+  if (!built.ok()) {
+    session.show(diagnostics, input);
+    return session.fail_query(built.error(), option_is_wrong, input);
+  }
   if (const int code = session.warn(diagnostics, input); code != kDone) return code;
-  const auto bytes = write_scene(built.value(), format, job);
+  const auto bytes = write_scene(built.value(), format, command.output, session, outputs);
   if (!bytes.ok()) return session.fail(bytes.error(), command.output);
   std::vector<std::string> lines{command.output + ": " + counted(bytes.value(), "byte") +
                                  " of scene text"};
@@ -213,8 +216,9 @@ void add_camera_options(CLI::App& command, BuildCommand& options) {
       .add_option("--views", options.views,
                   "Views of --as depth: a number spread evenly (6 = the sides of a box), auto = as "
                   "many as show all there is to see, or a file: cameras (.json) or a scene whose "
-                  "cameras are taken; of --as points the file with the one camera")
-      ->capture_default_str();
+                  "cameras are taken; of --as points the file with the one camera, default: from "
+                  "the front")
+      ->default_str("6");
   command.add_flag("--perspective", options.perspective, "Cameras with perspective");
   command.add_flag("--coverage", options.coverage,
                    "Measures which part of the visible surface the views show");

@@ -113,4 +113,15 @@ Status place(Surfels& surfels, const Placement& placement) {
   return {};
 }
 
+void move_by(Mesh& mesh, const glm::dvec3& offset) {
+  for (glm::vec3& p : mesh.positions)
+    p = glm::vec3(glm::clamp(glm::dvec3(p) + offset, -kMostCoordinate, kMostCoordinate));
+}
+
+void move_by(PointCloud& cloud, const glm::dvec3& offset) { cloud.origin += offset; }
+
+void move_by(Surfels& surfels, const glm::dvec3& offset) {
+  for (glm::dvec3& centre : surfels.centres) centre += offset;
+}
+
 }  // namespace afx

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 #include "afx/builder/grid.h"
 #include "afx/builder/mesh.h"
@@ -31,6 +32,11 @@ struct Placement {
 Status place(Mesh& mesh, const Placement& placement);
 Status place(PointCloud& cloud, const Placement& placement);
 Status place(Surfels& surfels, const Placement& placement);
+
+/// Moves a model. Of points only the origin moves, so that they keep their precision.
+void move_by(Mesh& mesh, const glm::dvec3& offset);
+void move_by(PointCloud& cloud, const glm::dvec3& offset);
+void move_by(Surfels& surfels, const glm::dvec3& offset);
 
 /// The smallest upright box around the vertices that triangles use. Without triangles: the origin.
 Bounds bounds_of(const Mesh& mesh);
