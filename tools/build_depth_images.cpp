@@ -33,6 +33,36 @@ Result<PictureUrls> put_pictures(const SimpleTexture& texture, const std::string
   return PictureUrls{colour.value(), depth.value()};
 }
 
+/// Takes the opacity off the colours; gives the number of pixels that lose one.
+uint64_t make_opaque(SimpleTexture& texture, ImageCoder coder) {
+  Picture& colour = texture.colour;
+  if (colour.components != 2 && colour.components != 4) return 0;
+  Picture opaque(colour.width, colour.height, colour.components - 1);
+  std::vector<bool> used(texture.depth.samples.size());
+  uint64_t lost = 0;
+  for (size_t i = 0; i < used.size(); ++i) {
+    const uint8_t* from = colour.samples.data() + i * colour.components;
+    std::copy_n(from, opaque.components, opaque.samples.data() + i * opaque.components);
+    used[i] = texture.depth.samples[i] != 0;
+    if (used[i] && from[opaque.components] != 255) ++lost;
+  }
+  fill_unused(opaque, used, coder);
+  colour = std::move(opaque);
+  return lost;
+}
+
+/// Where colours are written without opacity, it is taken off.
+void drop_opacity(std::vector<DepthImage>& images, ImageCoder coder, const BuildJob& job) {
+  uint64_t lost = 0;
+  for (DepthImage& image : images)
+    lost += make_opaque(std::get<SimpleTexture>(image.texture), coder);
+  if (lost == 0) return;
+  job.diagnostics.warn("lost_opacity", Place::none(),
+                       counted(lost, "pixel") + (lost == 1 ? " becomes" : " become") + " opaque: " +
+                           (job.command.depth_in_alpha ? "the alpha channel has the depth"
+                                                       : "JPEG has no alpha channel"));
+}
+
 double percent(uint64_t part, uint64_t whole) {
   return whole == 0 ? 100 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -74,6 +104,8 @@ Result<BuiltScene> build_depth_scene(ModelInput&& model, const BuildJob& job) {
   if (!built.ok()) return built.error();
   if (built.value().used == 0) return nothing_to_see();
   auto& images = built.value().images;
+  if (job.command.depth_in_alpha || options.coder == ImageCoder::jpeg)
+    drop_opacity(images, options.coder, job);
   BuiltScene scene;
   PictureFiles files(job, job.command.jpeg_quality);
   const nodes::NodeId transform = add_transform(scene.scene, job.offset);

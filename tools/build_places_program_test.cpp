@@ -115,5 +115,32 @@ TEST_F(BuildPlaces, ThePlaneOfPointsIsOneCamera) {
             "afx: a.wrl: has 6 cameras (expected one, the reference plane of --as points)\n");
 }
 
+TEST_F(BuildPlaces, OpacityIsLeftOutWithACountWhereThereIsNoPlaceForIt) {
+  Picture colour(4, 4, 4);
+  for (size_t i = 0; i < colour.samples.size(); ++i)
+    colour.samples[i] = i % 4 == 3 ? 100 : 200;  // all translucent
+  const DeepPicture depth{4, 4, 1, 8, std::vector<uint16_t>(16, 128)};
+  const auto colours = encode_picture(colour, "png");
+  const auto depths = encode_picture(depth, "png", {.colour = false});
+  ASSERT_TRUE(colours.ok() && depths.ok());
+  write_file(file("c.png"), {colours.value().begin(), colours.value().end()});
+  write_file(file("d.png"), {depths.value().begin(), depths.value().end()});
+  write_file(file("glass.wrl"),
+             "#VRML V2.0 utf8\nGroup { children [ DepthImage { fieldOfView 4 4 nearPlane 1\n"
+             "farPlane 20 diTexture SimpleTexture { texture ImageTexture { url \"c.png\" }\n"
+             "depth ImageTexture { url \"d.png\" } } } ] }\n");
+  const std::string words = "build glass.wrl --as depth --views glass.wrl -o ";
+  const Outcome jpeg = run(words + "a.wrl --image-format jpeg");
+  EXPECT_EQ(jpeg.code, 0);
+  EXPECT_THAT(jpeg.err, HasSubstr("afx: glass.wrl: warning: 16 pixels become opaque: JPEG has no "
+                                  "alpha channel\n"));
+  const Outcome alpha = run(words + "b.wrl --depth-in-alpha");
+  EXPECT_EQ(alpha.code, 0);
+  EXPECT_THAT(alpha.err, HasSubstr("16 pixels become opaque: the alpha channel has the depth\n"));
+  const Outcome png = run(words + "c.wrl");
+  EXPECT_THAT(png.err, Not(HasSubstr("opaque")));
+  EXPECT_EQ(result("info c_view01.png").at("components"), 4);
+}
+
 }  // namespace
 }  // namespace afx::tools
