@@ -203,6 +203,11 @@ TEST_F(BuildProgram, OptionsOfOtherFormsAreUsageErrors) {
         "--image-format jpeg --target-size 9 --target-psnr 9", "--resolution 4096"})
     EXPECT_EQ(run(std::string("build t.obj -o x.wrl ") + words).code, 2) << words;
   EXPECT_EQ(run("compare t.obj t.obj --max-error d3=1").code, 2);
+  EXPECT_EQ(run("build t.obj -o x.wrl --as points --views auto").err,
+            "afx: --views is auto (expected a file with one camera, the reference plane of --as "
+            "points) (see 'afx build --help')\n");
+  EXPECT_EQ(run("build t.obj -o x.wrl --images 3").err,
+            "afx: --images is 3 (expected 0, or 6 to 127) (see 'afx build --help')\n");
 }
 
 TEST_F(BuildProgram, AModelIsTheSameAsItself) {

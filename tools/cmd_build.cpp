@@ -69,7 +69,7 @@ std::string clash(const BuildCommand& c) {
   if (c.images != 0 && c.images < kSideViews)
     return "--images is " + std::to_string(c.images) + " (expected 0, or 6 to 127)";
   if (!std::isfinite(c.scale) || !std::isfinite(c.fit.value_or(1)))
-    return "--scale and --fit are finite numbers";
+    return "--scale or --fit is not finite (expected a number above 0)";
   if (c.fit && c.scale != 1) return "--scale and --fit exclude each other";
   if (c.target_size && c.target_psnr) return "--target-size and --target-psnr exclude each other";
   if (targets && c.image_format != "jpeg")

@@ -17,10 +17,10 @@ int check_names(const DecodeOptions& options, const OutputFiles& outputs, const 
                 std::string& format) {
   constexpr const char* kOutputs[] = {"wrl", "bt", "xmt", "json", "oct", "ply"};
   constexpr const char* kInputs[] = {"afx", "mp4", "bifs", "wrl", "bt", "xmt"};
-  const size_t inputs = format == "ply" ? std::size(kInputs) : 3;  // points of any scene
   if (const int code = output_format(session, options.output, options.format, kOutputs, format);
       code != kDone)
     return code;
+  const size_t inputs = format == "ply" ? std::size(kInputs) : 3;  // points of any scene
   if (const int code = check_input_format(session, options.input_format, {kInputs, inputs});
       code != kDone)
     return code;

@@ -130,6 +130,8 @@ TEST_F(CompareProgram, PointsOfAStreamAreThoseOfOneFrame) {
   ASSERT_EQ(run(decode + "-o f.wrl --frame 1").code, 0);
   ASSERT_EQ(run("decode f.wrl -o f.ply -q").code, 0);
   EXPECT_EQ(read_file(file("p.ply")), read_file(file("f.ply")));
+  ASSERT_EQ(run("decode - --input-format wrl -o s.ply -q < f.wrl").code, 0);
+  EXPECT_EQ(read_file(file("s.ply")), read_file(file("f.ply")));
   EXPECT_EQ(run("decode f.wrl -o x.ply --frame 1").code, 2);
 }
 
