@@ -71,6 +71,28 @@ TEST(Place, MovesAPointWithoutScale) {
   EXPECT_EQ(cloud.positions[0], glm::vec3(0));
 }
 
+TEST(MoveBy, MovesPointsByTheirOriginAlone) {
+  PointCloud cloud;
+  cloud.origin = {500000.03, 1, 2};
+  cloud.positions = {{0.5F, 0, 0}};
+  move_by(cloud, {-500000, 1, 0});
+  EXPECT_NEAR(cloud.origin.x, 0.03, 1e-9);
+  EXPECT_EQ(cloud.origin.y, 2);
+  EXPECT_EQ(cloud.positions[0], glm::vec3(0.5F, 0, 0));
+}
+
+TEST(MoveBy, MovesVerticesAndPieces) {
+  Mesh mesh;
+  mesh.positions = {{1, 2, 3}};
+  move_by(mesh, {1, 1, -1});
+  EXPECT_EQ(mesh.positions[0], glm::vec3(2, 3, 2));
+  Surfels surfels;
+  surfels.push_back({1, 2, 3}, {1, 0, 0}, {0, 1, 0}, {});
+  move_by(surfels, {1, 1, -1});
+  EXPECT_EQ(surfels.centres[0], glm::dvec3(2, 3, 2));
+  EXPECT_EQ(surfels.u[0], glm::vec3(1, 0, 0));
+}
+
 TEST(Place, RefusesWhatIsNoPlacement) {
   const auto refused = [](const Placement& placement) {
     PointCloud cloud = two_points();
