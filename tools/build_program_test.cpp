@@ -28,14 +28,14 @@ TEST_F(BuildProgram, EveryFormIsNearTheMesh) {
     (void)result("build t.obj -o " + scene + " --as " + form + " --resolution 64");
     // Half a voxel or pixel is 1/128 of the longest side.
     const json distance =
-        result("compare t.obj " + scene + " --views 2 --size 64 --points 100000", 4);
+        result("compare t.obj " + scene + " --views 2 --size 64 --points 20000", 4);
     EXPECT_LT(distance.at("d1"), 1.0 / 64) << form;
     EXPECT_LT(distance.at("hausdorff"), 3.0 / 64) << form;
     EXPECT_GT(distance.at("psnr"), 20) << form;
-    EXPECT_EQ(run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.02").code,
+    EXPECT_EQ(run("compare t.obj " + scene + " --views 0 --points 20000 --max-error d1=0.02").code,
               0);
     const Outcome beyond =
-        run("compare t.obj " + scene + " --views 0 --points 100000 --max-error d1=0.00001");
+        run("compare t.obj " + scene + " --views 0 --points 20000 --max-error d1=0.00001");
     EXPECT_EQ(beyond.code, 4);
     EXPECT_THAT(beyond.out, HasSubstr("beyond the limit: d1 is 0.0"));
     EXPECT_EQ(run("render " + scene + " --size 32x32 -o " + form + ".png").code, 0);
@@ -74,7 +74,7 @@ TEST_F(BuildProgram, EveryFormConvertsIntoEveryOther) {
     for (const std::string to : {"depth", "points", "octree"}) {
       const std::string scene = from + "_" + to + ".wrl";
       (void)result("build " + from + ".wrl -o " + scene + " --as " + to + " --resolution 48");
-      const json distance = result("compare t.obj " + scene + " --views 0 --points 100000", 4);
+      const json distance = result("compare t.obj " + scene + " --views 0 --points 20000", 4);
       EXPECT_LT(distance.at("d1"), 2.0 / 48) << scene;
     }
   }
@@ -87,7 +87,7 @@ TEST_F(BuildProgram, PointsComeOutOfEveryFormAndGoInAgain) {
     EXPECT_GT(points.at("points"), 1000) << form;
     EXPECT_EQ(result("compare a.wrl " + form + ".ply --views 0").at("d1"), 0) << form;
     (void)result("build " + form + ".ply -o b.wrl -f --as points --resolution 48");
-    EXPECT_LT(result("compare t.obj b.wrl --views 0 --points 100000", 4).at("d1"), 2.0 / 48);
+    EXPECT_LT(result("compare t.obj b.wrl --views 0 --points 20000", 4).at("d1"), 2.0 / 48);
   }
   EXPECT_EQ(run("decode t.obj -o x.ply").err,
             "afx: t.obj: is a mesh (expected something sampled)\n");
