@@ -2,19 +2,16 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "afx/octree_stream.h"
-#include "afx/picture_compare.h"
-#include "afx/picture_io.h"
 #include "nodes/traversal.h"
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/model_compare.h"
 #include "tools/octree_compare.h"
+#include "tools/picture_verdict.h"
 #include "tools/scene_input.h"
 #include "tools/session.h"
 #include "tools/thresholds.h"
@@ -37,57 +34,6 @@ struct CompareOptions {
 
 Verdict compare_scenes(const nodes::Scene& a, const nodes::Scene& b) {
   return nodes::equal(a, b) ? same("the scenes are the same") : differ("the scenes differ");
-}
-
-Result<Verdict> compare_two_pictures(const Input& a, const Input& b, const Limits& limits) {
-  const auto first = decode_picture(a.file.bytes(), a.path, limits);
-  if (!first.ok()) return first.error();
-  const auto second = decode_picture(b.file.bytes(), b.path, limits);
-  if (!second.ok()) return second.error();
-  const Picture& x = first.value();
-  const Picture& y = second.value();
-  if (x.width != y.width || x.height != y.height || x.components != y.components) {
-    const auto size = [](const Picture& p) {
-      return std::to_string(p.width) + " x " + std::to_string(p.height) + " x " +
-             std::to_string(p.components);
-    };
-    return differ("the pictures are " + size(x) + " and " + size(y));
-  }
-  const auto difference = compare_pictures(x, y);
-  if (!difference.ok()) return difference.error();
-  const PictureDifference& d = difference.value();
-  Json json{{"differingPixels", d.differing_pixels},
-            {"maxAbs", d.max_abs},
-            {"meanAbs", d.mean_abs},
-            {"ssim", d.ssim}};
-  if (std::isfinite(d.psnr)) json["psnr"] = d.psnr;
-  if (d.differing_pixels == 0) return same("the pictures are the same", json);
-  return differ("the pictures differ in " + counted(d.differing_pixels, "pixel") + ": PSNR " +
-                    fixed(d.psnr, 2) + " dB, SSIM " + fixed(d.ssim, 4) + ", greatest difference " +
-                    std::to_string(d.max_abs),
-                json);
-}
-
-/// All frames of a stream, or the one OctreeImage of the others.
-Result<OctreeStream> octrees_of(const Input& input, const CompareOptions& options,
-                                const Session& session, Diagnostics& diagnostics,
-                                bool& missing_is_usage) {
-  if (input.kind == Kind::octree_stream) {
-    OctreeDecodeOptions how{.threads = session.options.threads};
-    how.limits = session.limits;
-    DecodedOctreeStream decoded = decode_octree_stream(input.file.bytes(), how, diagnostics);
-    if (!decoded.status.ok()) return std::move(decoded.status).error();
-    return std::move(decoded.stream);
-  }
-  OctreeQuery query{.node = options.node, .resolution = options.resolution, .frame = {}};
-  auto octree = read_octree(input, query, session.limits, diagnostics);
-  missing_is_usage = query.missing_is_usage;
-  if (!octree.ok()) return std::move(octree).error();
-  OctreeNode& node = octree.value();
-  const uint32_t textures = node.fields.voxel_image_index.empty() ? 0 : node.images;
-  OctreeStream stream{node.resolution, textures, {}};
-  stream.frames.push_back(std::move(node.fields));
-  return stream;
 }
 
 int report(const Verdict& verdict, const Session& session) {
@@ -222,11 +168,11 @@ int compare_picture_files(const Input& a, const Input& b, const CompareOptions& 
 
 int compare_octree_files(const Input& a, const Input& b, const CompareOptions& options,
                          const Session& session, Diagnostics (&diagnostics)[2]) {
-  bool missing_is_usage = false;
-  const auto first = octrees_of(a, options, session, diagnostics[0], missing_is_usage);
-  if (!first.ok()) return session.fail_query(first.error(), missing_is_usage, a.path);
-  const auto second = octrees_of(b, options, session, diagnostics[1], missing_is_usage);
-  if (!second.ok()) return session.fail_query(second.error(), missing_is_usage, b.path);
+  OctreeQuery query{.node = options.node, .resolution = options.resolution, .frame = {}};
+  const auto first = octrees_of(a, query, session, diagnostics[0]);
+  if (!first.ok()) return session.fail_query(first.error(), query.missing_is_usage, a.path);
+  const auto second = octrees_of(b, query, session, diagnostics[1]);
+  if (!second.ok()) return session.fail_query(second.error(), query.missing_is_usage, b.path);
   return report(compare_octrees(first.value(), second.value(), session.limits), session);
 }
 

@@ -118,6 +118,24 @@ Verdict compare_fields(const OctreeStream& a, const OctreeStream& b) {
 
 }  // namespace
 
+Result<OctreeStream> octrees_of(const Input& input, OctreeQuery& query, const Session& session,
+                                Diagnostics& diagnostics) {
+  if (input.kind == Kind::octree_stream) {
+    OctreeDecodeOptions how{.threads = session.options.threads};
+    how.limits = session.limits;
+    DecodedOctreeStream decoded = decode_octree_stream(input.file.bytes(), how, diagnostics);
+    if (!decoded.status.ok()) return std::move(decoded.status).error();
+    return std::move(decoded.stream);
+  }
+  auto octree = read_octree(input, query, session.limits, diagnostics);
+  if (!octree.ok()) return std::move(octree).error();
+  OctreeNode& node = octree.value();
+  const uint32_t textures = node.fields.voxel_image_index.empty() ? 0 : node.images;
+  OctreeStream stream{node.resolution, textures, {}};
+  stream.frames.push_back(std::move(node.fields));
+  return stream;
+}
+
 Verdict compare_octrees(const OctreeStream& a, const OctreeStream& b, const Limits& limits) {
   Verdict verdict = compare_fields(a, b);
   if (verdict.different) measure(a, b, limits, verdict);
