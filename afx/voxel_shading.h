@@ -40,4 +40,9 @@ Rgba8 shaded_colour(Rgba8 colour, const glm::vec3& normal);
 /// A surface that is white under shade_light().
 Rgba8 shaded_grey(const glm::vec3& normal);
 
+/// Which of the two a surface becomes: its colour under the light, or grey where it has none.
+inline Rgba8 lit(bool coloured, Rgba8 colour, const glm::vec3& normal) {
+  return coloured ? shaded_colour(colour, normal) : shaded_grey(normal);
+}
+
 }  // namespace afx

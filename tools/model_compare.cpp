@@ -34,8 +34,7 @@ Result<PointCloud> points_of_mesh(const Mesh& mesh, const ModelCompareOptions& o
   const bool coloured = !points.colours.empty();
   points.colours.resize(points.positions.size());
   for (size_t i = 0; i < points.positions.size(); ++i)
-    points.colours[i] = coloured ? shaded_colour(points.colours[i], points.normals[i])
-                                 : shaded_grey(points.normals[i]);
+    points.colours[i] = lit(coloured, points.colours[i], points.normals[i]);
   return cloud;
 }
 

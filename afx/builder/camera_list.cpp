@@ -118,21 +118,4 @@ Result<std::vector<Shot>> read_camera_list(std::span<const uint8_t> bytes, const
   return shots;
 }
 
-std::string write_camera_list(const std::vector<Shot>& shots) {
-  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
-  for (const Shot& shot : shots) {
-    const DepthCamera& camera = shot.camera;
-    const nodes::Rotation turn = rotation_of(camera.orientation);
-    cameras.push_back({{"position", {camera.position.x, camera.position.y, camera.position.z}},
-                       {"orientation", {turn.x, turn.y, turn.z, turn.angle}},
-                       {"orthographic", camera.orthographic},
-                       {"fieldOfView", {camera.field_of_view.x, camera.field_of_view.y}},
-                       {"nearPlane", camera.near_plane},
-                       {"farPlane", camera.far_plane},
-                       {"width", shot.width},
-                       {"height", shot.height}});
-  }
-  return nlohmann::ordered_json{{"cameras", std::move(cameras)}}.dump(2) + "\n";
-}
-
 }  // namespace afx

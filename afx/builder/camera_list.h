@@ -26,7 +26,4 @@ namespace afx {
 ///         sizes outside 1..65535, no cameras or more than 255
 Result<std::vector<Shot>> read_camera_list(std::span<const uint8_t> json, const Limits& limits);
 
-/// The other way round: cameras as such a list.
-std::string write_camera_list(const std::vector<Shot>& shots);
-
 }  // namespace afx

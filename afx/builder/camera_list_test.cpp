@@ -43,18 +43,6 @@ TEST(CameraList, OrientationAndOrthographicHaveTheNodesDefaults) {
   EXPECT_TRUE(shots.value()[0].camera.orthographic);
 }
 
-TEST(CameraList, WhatIsWrittenIsReadAgain) {
-  Shot shot{{{0.25, -1, 7}, glm::angleAxis(0.5, glm::dvec3(0, 0, 1)), false, {0.5, 0.75}, 1, 9},
-            640,
-            480};
-  const auto again = read(write_camera_list({shot, shot}));
-  ASSERT_TRUE(again.ok()) << again.error().text;
-  ASSERT_EQ(again.value().size(), 2U);
-  EXPECT_EQ(again.value()[1].camera.position, shot.camera.position);
-  EXPECT_NEAR(glm::dot(again.value()[1].camera.orientation, shot.camera.orientation), 1, 1e-12);
-  EXPECT_EQ(again.value()[1].height, 480U);
-}
-
 TEST(CameraList, ErrorsNameTheMember) {
   const auto error_of = [](const std::string& json) {
     const auto shots = read(json);

@@ -73,7 +73,7 @@ void take_small_away(Block& coefficients, float small) {
 }
 
 // A block of a picture, cut off at its borders.
-struct Place {
+struct BlockArea {
   uint32_t x, y;           // of the upper left pixel
   uint32_t width, height;  // 1..8
 };
@@ -90,7 +90,7 @@ class Filler {
   void run() {
     for (uint32_t row = 0; row < rows_; ++row)
       for (uint32_t column = 0; column < columns_; ++column) {
-        const Place at = place(column, row);
+        const BlockArea at = place(column, row);
         if (count_used(at) == 0) continue;
         Mean& mean = means_[size_t{row} * columns_ + column];
         mean.known = true;
@@ -114,7 +114,7 @@ class Filler {
     bool known = false;
   };
 
-  [[nodiscard]] Place place(uint32_t column, uint32_t row) const {
+  [[nodiscard]] BlockArea place(uint32_t column, uint32_t row) const {
     const uint32_t x = column * kSide, y = row * kSide;
     return {x, y, std::min(kSide, picture_.width - x), std::min(kSide, picture_.height - y)};
   }
@@ -135,25 +135,25 @@ class Filler {
     return sum;
   }
 
-  [[nodiscard]] bool is_used(const Place& at, uint32_t i, uint32_t j) const {
+  [[nodiscard]] bool is_used(const BlockArea& at, uint32_t i, uint32_t j) const {
     return used_[size_t{at.y + j} * picture_.width + at.x + i];
   }
-  [[nodiscard]] uint8_t& sample(const Place& at, uint32_t i, uint32_t j, uint32_t c) const {
+  [[nodiscard]] uint8_t& sample(const BlockArea& at, uint32_t i, uint32_t j, uint32_t c) const {
     return picture_.pixel(at.x + i, at.y + j)[c];
   }
   template <class Visit>
-  static void for_each(const Place& at, Visit&& visit) {
+  static void for_each(const BlockArea& at, Visit&& visit) {
     for (uint32_t j = 0; j < at.height; ++j)
       for (uint32_t i = 0; i < at.width; ++i) visit(i, j);
   }
 
-  [[nodiscard]] uint32_t count_used(const Place& at) const {
+  [[nodiscard]] uint32_t count_used(const BlockArea& at) const {
     uint32_t count = 0;
     for_each(at, [&](uint32_t i, uint32_t j) { count += is_used(at, i, j) ? 1 : 0; });
     return count;
   }
 
-  void fill_all(const Place& at, const Mean& mean) {
+  void fill_all(const BlockArea& at, const Mean& mean) {
     for_each(at, [&](uint32_t i, uint32_t j) {
       for (uint32_t c = 0; c < picture_.components; ++c)
         sample(at, i, j, c) = static_cast<uint8_t>(std::lround(mean.of[c]));
@@ -162,7 +162,7 @@ class Filler {
 
   // The free pixels of a block that has used ones, in one component; those beyond the border of the
   // picture are as free. Returns the mean of the block.
-  float fill_free(const Place& at, uint32_t c) {
+  float fill_free(const BlockArea& at, uint32_t c) {
     float sum = 0;
     for_each(at, [&](uint32_t i, uint32_t j) {
       if (is_used(at, i, j)) sum += sample(at, i, j, c);

@@ -28,14 +28,14 @@ constexpr unsigned kSteps =
 // A node that is its own ancestor in some way would never end; no real file comes near.
 constexpr size_t kMostInstances = size_t{1} << 20;
 
-Format format_of(const Assimp::Importer& importer) {
+MeshFormat format_of(const Assimp::Importer& importer) {
   const int number = importer.GetPropertyInteger("importerIndex", -1);
   const aiImporterDesc* description =
       number < 0 ? nullptr : importer.GetImporterInfo(static_cast<size_t>(number));
-  if (description == nullptr) return Format::other;
+  if (description == nullptr) return MeshFormat::other;
   const std::string_view name(description->mName);
-  if (name.find("glTF") != std::string_view::npos) return Format::gltf;
-  return name.find("Wavefront") != std::string_view::npos ? Format::obj : Format::other;
+  if (name.find("glTF") != std::string_view::npos) return MeshFormat::gltf;
+  return name.find("Wavefront") != std::string_view::npos ? MeshFormat::obj : MeshFormat::other;
 }
 
 bool is_finite(const glm::vec3& v) {
@@ -46,10 +46,10 @@ bool is_finite(const glm::vec3& v) {
 // Turns an imported scene into a Mesh.
 class SceneConverter {
  public:
-  SceneConverter(const aiScene& scene, const std::string& path, Format format, const Limits& limits,
-                 Diagnostics& diagnostics)
+  SceneConverter(const aiScene& scene, const std::string& path, MeshFormat format,
+                 const Limits& limits, Diagnostics& diagnostics)
       : scene_(scene),
-        linear_colours_(format == Format::gltf),
+        linear_colours_(format == MeshFormat::gltf),
         limits_(limits),
         diagnostics_(diagnostics),
         materials_(scene, path, format, limits, diagnostics) {}
@@ -251,8 +251,8 @@ Result<Mesh> import(const std::string& path, const Limits& limits, Diagnostics& 
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene != nullptr && !is_sound(*scene))
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure);
-  const Format format = format_of(importer);
-  const unsigned steps = format == Format::gltf ? kSteps : kSteps | aiProcess_TransformUVCoords;
+  const MeshFormat format = format_of(importer);
+  const unsigned steps = format == MeshFormat::gltf ? kSteps : kSteps | aiProcess_TransformUVCoords;
   if (scene != nullptr) scene = importer.ApplyPostProcessing(steps);
   if (scene == nullptr) return import_error(importer, path);
   Result<Mesh> mesh = SceneConverter(*scene, path, format, limits, diagnostics).convert();

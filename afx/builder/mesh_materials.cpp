@@ -91,13 +91,13 @@ glm::vec3 linear_colour(const aiColor4D& colour, bool is_linear) {
   return {srgb_to_linear(given.x), srgb_to_linear(given.y), srgb_to_linear(given.z)};
 }
 
-MaterialReader::MaterialReader(const aiScene& scene, const std::string& path, Format format,
+MaterialReader::MaterialReader(const aiScene& scene, const std::string& path, MeshFormat format,
                                const Limits& limits, Diagnostics& diagnostics)
     : scene_(scene),
-      is_gltf_(format == Format::gltf),
+      is_gltf_(format == MeshFormat::gltf),
       diagnostics_(diagnostics),
       textures_(scene, path, limits, diagnostics) {
-  if (format == Format::obj) mtl_textures_ = mtl_textures_of_obj(path, limits);
+  if (format == MeshFormat::obj) mtl_textures_ = mtl_textures_of_obj(path, limits);
 }
 
 Status MaterialReader::read(Mesh& mesh, std::vector<MaterialTraits>& traits) {

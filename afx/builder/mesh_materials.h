@@ -23,7 +23,7 @@ namespace afx {
 
 /// Formats that want something of their own: glTF has its colours in linear light, whatever else
 /// there is has them as shown on screens.
-enum class Format { gltf, obj, other };
+enum class MeshFormat { gltf, obj, other };
 
 /// A colour of the scene in linear light, 0..1.
 glm::vec3 linear_colour(const aiColor4D& colour, bool is_linear);
@@ -46,8 +46,8 @@ struct MaterialTraits {
 class MaterialReader {
  public:
   /// path   the file that the scene came from
-  MaterialReader(const aiScene& scene, const std::string& path, Format format, const Limits& limits,
-                 Diagnostics& diagnostics);
+  MaterialReader(const aiScene& scene, const std::string& path, MeshFormat format,
+                 const Limits& limits, Diagnostics& diagnostics);
 
   /// Fills in the materials of the scene, one more for meshes that name none, and the textures.
   /// Warnings and errors   as TextureLoader; alpha_blending

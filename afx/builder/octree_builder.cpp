@@ -62,8 +62,7 @@ void shade(SurfaceVoxels& voxels, bool coloured, unsigned levels, unsigned threa
   if (!known && !voxels.codes.empty())
     voxels.normals = surface_normals(voxels.codes, levels, VoxelBlocks(voxels.codes), threads);
   for (size_t i = 0; i < voxels.codes.size(); ++i)
-    voxels.colours[i] = coloured ? shaded_colour(voxels.colours[i], voxels.normals[i])
-                                 : shaded_grey(voxels.normals[i]);
+    voxels.colours[i] = lit(coloured, voxels.colours[i], voxels.normals[i]);
 }
 
 Result<BuiltOctree> finish(SurfaceVoxels voxels, const Grid& grid, const BuildOptions& options,
