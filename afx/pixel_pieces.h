@@ -123,10 +123,16 @@ class PixelPieces {
     return slope;
   }
 
+  // The mean of the slopes to both sides, but at most twice the smaller one, and none where they
+  // lean against each other: where two surfaces meet, a piece lies along the flatter of them and
+  // does not stand out of both (the limiter of van Leer, "Towards the ultimate conservative
+  // difference scheme III", 1977).
   static double between(std::optional<double> before, double here, std::optional<double> after) {
-    if (before && after) return (*after - *before) / 2;
-    if (after) return *after - here;
-    return before ? here - *before : 0;
+    if (!before || !after) return after ? *after - here : (before ? here - *before : 0);
+    const double a = here - *before, b = *after - here;
+    if (!(a * b > 0)) return 0;
+    const double most = 2 * std::min(std::abs(a), std::abs(b));
+    return std::clamp((a + b) / 2, -most, most);
   }
 
   const PixelGrid& grid_;

@@ -82,6 +82,14 @@ TEST(SurfelSources, BetweenTwoSlopesAPixelTakesTheirMean) {
   expect_near(surfels.u[2], {0.5, 0, 3 * 8.0 / 14});
 }
 
+TEST(SurfelSources, WhereAFlatSurfaceMeetsASteepOnePiecesLieAlongTheFlatOne) {
+  const Surfels step = surfels_or_fail(columns({5, 6, 12, 12}));
+  expect_near(step.u[1], {0.5, 0, 1 * 8.0 / 14});  // twice the smaller of 1 and 6 steps
+  expect_near(step.u[2], {0.5, 0, 0});             // 6 and none
+  const Surfels ridge = surfels_or_fail(columns({5, 9, 4}));
+  expect_near(ridge.u[1], {0.5, 0, 0});  // up and down
+}
+
 TEST(SurfelSources, AcrossAJumpOfMoreThanFourPixelsPiecesDoNotLean) {
   // A step of depth is 4/7 of a pixel: 7 steps are 4 pixels, and one is allowed for rounding.
   const Surfels far = surfels_or_fail(columns({4, 13}));
