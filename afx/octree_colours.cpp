@@ -28,14 +28,10 @@ struct ColourSum {
   uint64_t count = 0;
 
   void add(Rgba8 c) {
-    const std::array<float, 256>& linear = srgb_to_linear();
-    sum += glm::dvec3(linear[c.r], linear[c.g], linear[c.b]);
+    sum += linear_light(c);
     ++count;
   }
-  [[nodiscard]] Rgba8 mean() const {
-    const glm::vec3 m(sum / static_cast<double>(count));
-    return {linear_to_srgb(m.r), linear_to_srgb(m.g), linear_to_srgb(m.b), 255};
-  }
+  [[nodiscard]] Rgba8 mean() const { return to_srgb(sum / static_cast<double>(count)); }
 };
 
 /// The mean over the area (not empty); transparent pixels count only if there are no others.

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "afx/psnr.h"
+
 namespace afx {
 namespace {
 
@@ -51,8 +53,7 @@ void compare_samples(const Picture& a, const Picture& b, PictureDifference& resu
   const auto count = static_cast<double>(a.samples.size());
   result.mean_abs = static_cast<double>(absolute) / count;
   result.mean_squared = static_cast<double>(squared) / count;
-  result.psnr = squared == 0 ? std::numeric_limits<double>::infinity()
-                             : 10 * std::log10(255.0 * 255.0 / result.mean_squared);
+  result.psnr = psnr_of(result.mean_squared);
 }
 
 constexpr size_t kWindow = 11;

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "afx/picture.h"
 
 namespace afx {
 
@@ -16,5 +19,17 @@ float srgb_to_linear(float srgb);
 
 /// The 8-bit sRGB value nearest (on the sRGB scale) to a linear one; clamps, NaN gives 0.
 uint8_t linear_to_srgb(float linear);
+
+/// The three components of a colour in linear light, 0..1; alpha has no part in it.
+inline glm::dvec3 linear_light(Rgba8 colour) {
+  const std::array<float, 256>& linear = srgb_to_linear();
+  return {linear[colour.r], linear[colour.g], linear[colour.b]};
+}
+
+/// The other way round: an opaque colour. The mean of colours is to_srgb(sum of lights / count).
+inline Rgba8 to_srgb(const glm::dvec3& light) {
+  const auto byte = [](double part) { return linear_to_srgb(static_cast<float>(part)); };
+  return {byte(light.x), byte(light.y), byte(light.z), 255};
+}
 
 }  // namespace afx

@@ -62,9 +62,8 @@ struct PixelSum {
     return std::clamp(area, kLeastArea, 1.0) / (d2 + std::max(0.0, 1 - area) + 1e-6);
   }
   void add_colour(Rgba8 c, double w) {
-    const std::array<float, 256>& linear = srgb_to_linear();
     const double opaque = w * c.a / 255.0;
-    light += opaque * glm::dvec3(linear[c.r], linear[c.g], linear[c.b]);
+    light += opaque * linear_light(c);
     opacity += opaque;
     weight += w;
   }

@@ -32,12 +32,9 @@ struct Sample {
 };
 
 Rgba8 mean_colour(std::span<const Sample> samples) {
-  const std::array<float, 256>& linear = srgb_to_linear();
   glm::dvec3 sum(0);
-  for (const Sample& sample : samples)
-    sum += glm::dvec3(linear[sample.colour.r], linear[sample.colour.g], linear[sample.colour.b]);
-  const glm::vec3 mean(sum / static_cast<double>(samples.size()));
-  return {linear_to_srgb(mean.x), linear_to_srgb(mean.y), linear_to_srgb(mean.z), 255};
+  for (const Sample& sample : samples) sum += linear_light(sample.colour);
+  return to_srgb(sum / static_cast<double>(samples.size()));
 }
 
 class Layering {

@@ -11,6 +11,7 @@
 #include "afx/builder/shading.h"
 #include "afx/builder/surface_samples.h"
 #include "afx/picture_compare.h"
+#include "afx/psnr.h"
 #include "afx/surfel_sources.h"
 #include "afx/voxel_shading.h"
 #include "render/view_ring.h"
@@ -77,7 +78,7 @@ void tell_points(const CloudDifference& d, size_t a, size_t b, ModelDistance& di
   if (!d.has_colours) return;
   const glm::dvec3 squared = d.both.rgb.mean_squared;
   const double mean = (squared.x + squared.y + squared.z) / 3;
-  const double colour = 10 * std::log10(255.0 * 255.0 / mean);
+  const double colour = psnr_of(mean);
   json["colour"] = decibels(colour);
   json["colourY"] = decibels(d.both.ycbcr.psnr.x);
   distance.lines.push_back("colours of matching points: " + decibel_text(colour) + ", luma " +
@@ -139,12 +140,12 @@ Status compare_views(const Drawing& a, const Drawing& b, const ModelCompareOptio
       return added;
   }
   const double mean = sum.samples == 0 ? 0 : sum.squared / static_cast<double>(sum.samples);
-  const double psnr = 10 * std::log10(255.0 * 255.0 / mean);
+  const double all = psnr_of(mean);
   distance.json["views"] = sum.views;
-  distance.json["psnr"] = decibels(psnr);
+  distance.json["psnr"] = decibels(all);
   distance.json["ssim"] = sum.ssim / sum.views;
   distance.lines.push_back("pictures from " + counted(sum.views, "side") + ": " +
-                           decibel_text(psnr) + ", SSIM " + fixed(sum.ssim / sum.views, 4));
+                           decibel_text(all) + ", SSIM " + fixed(sum.ssim / sum.views, 4));
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include "afx/builder/grid.h"
 #include "afx/builder/nearest_points.h"
 #include "afx/builder/point_normals.h"
+#include "afx/psnr.h"
 #include "codec/parallel.h"
 
 namespace afx {
@@ -43,13 +44,6 @@ Status check(const PointCloud& a, const PointCloud& b, const CloudCompareOptions
     return Error{
         Errc::limit_exceeded, {}, "to compare the points takes more memory than the limit", {}, {}};
   return {};
-}
-
-double default_peak(const PointCloud& cloud) {
-  const Bounds bounds = bounds_of(cloud.positions);
-  const glm::dvec3 sides = bounds.high - bounds.low;
-  const double longest = std::max({sides.x, sides.y, sides.z});
-  return longest > 0 ? longest : 1;
 }
 
 std::vector<glm::vec3> normals_of(const PointCloud& cloud, const NearestPoints& index,
@@ -155,18 +149,13 @@ class Direction {
   bool has_colours_;
 };
 
-double psnr(double peak_squared, double mean_squared) {
-  return mean_squared > 0 ? 10 * std::log10(peak_squared / mean_squared)
-                          : std::numeric_limits<double>::infinity();
-}
-
 GeometryError geometry_error(double sum, double most, double count, double peak) {
-  return {sum / count, std::sqrt(most), psnr(3 * peak * peak, sum / count)};
+  return {sum / count, std::sqrt(most), psnr_of(sum / count, 3 * peak * peak)};
 }
 
 ColourError colour_error(const glm::dvec3& sum, double count) {
   ColourError error{sum / count, {}};
-  for (int k = 0; k < 3; ++k) error.psnr[k] = psnr(255.0 * 255.0, error.mean_squared[k]);
+  for (int k = 0; k < 3; ++k) error.psnr[k] = psnr_of(error.mean_squared[k]);
   return error;
 }
 
@@ -211,7 +200,7 @@ Result<CloudDifference> compare_clouds(const PointCloud& a, const PointCloud& b,
   const Sums from_b = Direction(b, a, in_a).measure(normals_a, options.threads, take_normal);
   const Sums from_a = Direction(a, b, in_b).measure(normals_b, options.threads, {});
   CloudDifference difference;
-  difference.peak = options.peak > 0 ? options.peak : default_peak(a);
+  difference.peak = options.peak > 0 ? options.peak : bounds_of(a.positions).longest_side();
   difference.has_colours = !a.colours.empty() && !b.colours.empty();
   difference.a_to_b = error_of(from_a, a.positions.size(), difference.peak, difference.has_colours);
   difference.b_to_a = error_of(from_b, b.positions.size(), difference.peak, difference.has_colours);

@@ -16,13 +16,15 @@ int32_t last_fixed(unsigned levels) { return static_cast<int32_t>(kSubvoxels << 
 }  // namespace
 
 Bounds bounds_of(std::span<const glm::vec3> points) {
-  if (points.empty()) return {};
-  Bounds bounds{glm::dvec3(points[0]), glm::dvec3(points[0])};
-  for (const glm::vec3& point : points) {
-    bounds.low = glm::min(bounds.low, glm::dvec3(point));
-    bounds.high = glm::max(bounds.high, glm::dvec3(point));
-  }
-  return bounds;
+  BoundsFinder finder;
+  for (const glm::vec3& point : points) finder.add(glm::dvec3(point));
+  return finder.bounds();
+}
+
+double Bounds::longest_side() const {
+  const glm::dvec3 sides = high - low;
+  const double longest = std::max({sides.x, sides.y, sides.z});
+  return longest > 0 ? longest : 1;
 }
 
 Grid::Grid(const Bounds& bounds, uint32_t wanted)

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 
 namespace afx {
@@ -16,13 +18,30 @@ namespace afx {
 inline constexpr int kSubvoxelBits = 8;
 inline constexpr int32_t kSubvoxels = 1 << kSubvoxelBits;
 
-/// The smallest upright box around points.
+/// The smallest upright box around points. Of none it is the origin.
 struct Bounds {
   glm::dvec3 low{0, 0, 0};
   glm::dvec3 high{0, 0, 0};
+
+  /// Its longest side, or 1 where that is 0.
+  [[nodiscard]] double longest_side() const;
 };
 
-/// Of no points: the origin.
+/// Finds the box of points that are put in one by one.
+class BoundsFinder {
+ public:
+  void add(const glm::dvec3& point) {
+    low_ = glm::min(low_, point);
+    high_ = glm::max(high_, point);
+  }
+  [[nodiscard]] Bounds bounds() const { return low_.x <= high_.x ? Bounds{low_, high_} : Bounds{}; }
+
+ private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  glm::dvec3 low_{kFar};
+  glm::dvec3 high_{-kFar};
+};
+
 Bounds bounds_of(std::span<const glm::vec3> points);
 
 /// An upright cube in the coordinates of an object.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "afx/picture_io.h"
+#include "afx/psnr.h"
 #include "codec/parallel.h"
 
 namespace afx {
@@ -106,7 +107,7 @@ Result<CodedImages> code_images(std::span<const ReferenceImage> images, UsedPixe
     all.samples += losses[k].samples;
   }
   const double mean = all.samples == 0 ? 0 : all.squared / static_cast<double>(all.samples);
-  coded.psnr = mean > 0 ? std::min(99.0, 10 * std::log10(255.0 * 255.0 / mean)) : 99;
+  coded.psnr = std::min(99.0, psnr_of(mean));
   return coded;
 }
 

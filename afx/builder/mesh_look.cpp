@@ -64,30 +64,27 @@ class PixelFootprint {
 class PixelMean {
  public:
   explicit PixelMean(Rgba8 background)
-      : background_{linear(background)}, alpha_(background.a / 255.0F) {}
+      : background_{linear_light(background)}, alpha_(background.a / 255.0) {}
 
   void add(Rgba8 colour) {
-    light_ += linear(colour);
+    light_ += linear_light(colour);
     ++count_;
   }
   [[nodiscard]] Rgba8 over_background(unsigned places) const {
-    const float covered = static_cast<float>(count_) / static_cast<float>(places);
-    const float alpha = covered + (1 - covered) * alpha_;
+    const double covered = static_cast<double>(count_) / places;
+    const double alpha = covered + (1 - covered) * alpha_;
     if (!(alpha > 0)) return {0, 0, 0, 0};
-    const glm::vec3 sum =
-        light_ / static_cast<float>(places) + background_ * ((1 - covered) * alpha_);
-    return {linear_to_srgb(sum.x / alpha), linear_to_srgb(sum.y / alpha),
-            linear_to_srgb(sum.z / alpha), static_cast<uint8_t>(std::lround(alpha * 255))};
+    const glm::dvec3 sum =
+        light_ / static_cast<double>(places) + background_ * ((1 - covered) * alpha_);
+    Rgba8 colour = to_srgb(sum / alpha);
+    colour.a = static_cast<uint8_t>(std::lround(alpha * 255));
+    return colour;
   }
 
  private:
-  static glm::vec3 linear(Rgba8 c) {
-    const auto& table = srgb_to_linear();
-    return {table[c.r], table[c.g], table[c.b]};
-  }
-  glm::vec3 background_;
-  float alpha_;
-  glm::vec3 light_{0, 0, 0};
+  glm::dvec3 background_;
+  double alpha_;
+  glm::dvec3 light_{0, 0, 0};
   unsigned count_ = 0;
 };
 

@@ -15,6 +15,7 @@
 #include "afx/builder/reference_views.h"
 #include "afx/builder/view_choice.h"
 #include "afx/octree_stream.h"
+#include "afx/psnr.h"
 #include "codec/octree_voxels.h"
 #include "codec/parallel.h"
 
@@ -45,9 +46,7 @@ uint32_t worst_component(const uint8_t* shown, Rgba8 own) {
 }
 
 // Of a mean squared difference of three components, in dB.
-double psnr_of(double squared) {
-  return squared > 0 ? std::min(99.0, 10 * std::log10(3 * 255.0 * 255.0 / squared)) : 99;
-}
+double capped_psnr(double squared) { return std::min(99.0, psnr_of(squared / 3)); }
 
 Error beyond_limit(const std::string& what, uint64_t bytes, const Limits& limits) {
   return {Errc::limit_exceeded, Place::none(),
@@ -276,8 +275,8 @@ class ModelBuilder {
     }
     statistics.worst = shown_.worst;
     statistics.off = shown_.off;
-    statistics.psnr = psnr_of(shown_.squared);
-    statistics.best_psnr = psnr_of(least_difference_);
+    statistics.psnr = capped_psnr(shown_.squared);
+    statistics.best_psnr = capped_psnr(least_difference_);
   }
 
   SurfaceVoxels voxels_;

@@ -59,25 +59,16 @@ Result<Move> move_of(const Bounds& bounds, const Placement& placement) {
 }  // namespace
 
 Bounds bounds_of(const Mesh& mesh) {
-  if (mesh.triangles.empty()) return {};
-  const glm::dvec3 first(mesh.positions[mesh.triangles[0].x]);
-  Bounds bounds{first, first};
+  BoundsFinder finder;
   for (const glm::uvec3& triangle : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      bounds.low = glm::min(bounds.low, glm::dvec3(mesh.positions[triangle[k]]));
-      bounds.high = glm::max(bounds.high, glm::dvec3(mesh.positions[triangle[k]]));
-    }
-  return bounds;
+    for (int k = 0; k < 3; ++k) finder.add(glm::dvec3(mesh.positions[triangle[k]]));
+  return finder.bounds();
 }
 
 Bounds bounds_of(const Surfels& surfels) {
-  if (surfels.size() == 0) return {};
-  Bounds bounds{surfels.centres.front(), surfels.centres.front()};
-  for (const glm::dvec3& centre : surfels.centres) {
-    bounds.low = glm::min(bounds.low, centre);
-    bounds.high = glm::max(bounds.high, centre);
-  }
-  return bounds;
+  BoundsFinder finder;
+  for (const glm::dvec3& centre : surfels.centres) finder.add(centre);
+  return finder.bounds();
 }
 
 Status place(Mesh& mesh, const Placement& placement) {

@@ -10,11 +10,6 @@
 
 namespace afx {
 
-Rgba8 to_srgb(const glm::dvec3& linear) {
-  const auto byte = [](double value) { return linear_to_srgb(static_cast<float>(value)); };
-  return {byte(linear.x), byte(linear.y), byte(linear.z), 255};
-}
-
 SurfacePaint::SurfacePaint(const Mesh& mesh) : mesh_(mesh) {
   samplers_.reserve(mesh.textures.size());
   for (const Picture& texture : mesh.textures) samplers_.emplace_back(texture);

@@ -17,9 +17,6 @@ struct Paint {
   double alpha = 1;
 };
 
-/// As pictures and voxels have it, opaque.
-Rgba8 to_srgb(const glm::dvec3& linear);
-
 /// What the surface of a mesh shows: material * vertex colour * texture. The mesh must stay as it
 /// is. For use by several threads at once.
 class SurfacePaint {

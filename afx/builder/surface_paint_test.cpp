@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "afx/builder/test_meshes.h"
+#include "afx/srgb.h"
 
 namespace afx {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "afx/builder/surface_paint.h"
+#include "afx/srgb.h"
 #include "codec/parallel.h"
 
 namespace afx {

@@ -34,11 +34,6 @@ Cube cube_around_centre(const Grid& grid) {
           (voxels + 1.0 / kSubvoxels) / grid.scale};
 }
 
-glm::vec3 linear_colour(Rgba8 c) {
-  const auto& linear = srgb_to_linear();
-  return {linear[c.r], linear[c.g], linear[c.b]};
-}
-
 class Splitter {
  public:
   Splitter(const Surfels& surfels, const Grid& grid)
@@ -113,7 +108,7 @@ class Splitter {
       const glm::vec3 corner = around_centre(n, off);
       inside = inside && holds(corner);
       mesh.positions.push_back(corner);
-      mesh.colours.push_back(linear_colour(surfels_.colours[n]));
+      mesh.colours.emplace_back(linear_light(surfels_.colours[n]));
     }
     if (!inside) ++parts_.outside;
     mesh.triangles.emplace_back(first, first + 1, first + 2);
@@ -129,8 +124,7 @@ class Splitter {
 
 Rgba8 mean_of(Rgba8 a, Rgba8 b) {
   if (a == b) return a;
-  const glm::vec3 mean = 0.5F * (linear_colour(a) + linear_colour(b));
-  return {linear_to_srgb(mean.x), linear_to_srgb(mean.y), linear_to_srgb(mean.z), 255};
+  return to_srgb((linear_light(a) + linear_light(b)) / 2.0);
 }
 
 glm::vec3 mean_of(const glm::vec3& a, const glm::vec3& b) {

@@ -83,10 +83,7 @@ void add_to(std::vector<bool>& sum, const std::vector<bool>& more) {
 }  // namespace
 
 double longest_side(const ViewSource& source) {
-  const Bounds bounds = source.bounds_along(glm::dmat3(1));
-  const glm::dvec3 size = bounds.high - bounds.low;
-  const double longest = std::max({size.x, size.y, size.z});
-  return longest > 0 ? longest : 1;
+  return source.bounds_along(glm::dmat3(1)).longest_side();
 }
 
 std::vector<glm::dvec3> even_directions(unsigned count) {

@@ -12,30 +12,12 @@
 #include "afx/surfel_drawing.h"
 
 namespace afx {
-namespace {
-
-// A box that grows with the points put in.
-class GrowingBounds {
- public:
-  void add(const glm::dvec3& point) {
-    bounds_.low = glm::min(bounds_.low, point);
-    bounds_.high = glm::max(bounds_.high, point);
-  }
-  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
-
- private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-  Bounds bounds_{glm::dvec3(kFar), glm::dvec3(-kFar)};
-};
-
-}  // namespace
-
 Bounds MeshViews::bounds_along(const glm::dmat3& axes) const {
-  GrowingBounds growing;
+  BoundsFinder finder;
   const Mesh& mesh = look_.mesh();
   for (const glm::uvec3& triangle : mesh.triangles)
-    for (int k = 0; k < 3; ++k) growing.add(glm::dvec3(mesh.positions[triangle[k]]) * axes);
-  return growing.bounds();
+    for (int k = 0; k < 3; ++k) finder.add(glm::dvec3(mesh.positions[triangle[k]]) * axes);
+  return finder.bounds();
 }
 
 Result<DepthImage> MeshViews::take(const Shot& shot, unsigned depth_bits) const {
@@ -52,15 +34,15 @@ Result<PointCloud> MeshViews::samples(size_t count) const {
 }
 
 Bounds SurfelViews::bounds_along(const glm::dmat3& axes) const {
-  GrowingBounds growing;
+  BoundsFinder finder;
   for (size_t i = 0; i < surfels_.size(); ++i) {
     const glm::dvec3 centre = surfels_.centres[i] * axes;
     const glm::dvec3 reach =
         glm::abs(glm::dvec3(surfels_.u[i]) * axes) + glm::abs(glm::dvec3(surfels_.v[i]) * axes);
-    growing.add(centre - reach);
-    growing.add(centre + reach);
+    finder.add(centre - reach);
+    finder.add(centre + reach);
   }
-  return surfels_.size() == 0 ? Bounds{} : growing.bounds();
+  return finder.bounds();
 }
 
 Result<DepthImage> SurfelViews::take(const Shot& shot, unsigned depth_bits) const {

@@ -224,7 +224,6 @@ Result<SurfaceVoxels> voxelize(const PointCloud& cloud, const Grid& grid, const 
     entries[i] = {codec::morton_code({v.x, v.y, v.z}), i};
   }
   std::sort(entries.begin(), entries.end());
-  const auto& linear = srgb_to_linear();
   SurfaceVoxels voxels;
   for (size_t i = 0; i < entries.size();) {
     SurfaceSum sum;
@@ -232,7 +231,7 @@ Result<SurfaceVoxels> voxelize(const PointCloud& cloud, const Grid& grid, const 
     for (; i < entries.size() && entries[i].code == code; ++i) {
       const size_t point = entries[i].point;
       const Rgba8 c = cloud.colours.empty() ? Rgba8{255, 255, 255, 255} : cloud.colours[point];
-      sum.light += glm::dvec3(linear[c.r], linear[c.g], linear[c.b]);
+      sum.light += linear_light(c);
       if (!cloud.normals.empty()) sum.normal += glm::dvec3(unit_or_zero(cloud.normals[point]));
       sum.area += 1;
     }
