@@ -102,6 +102,16 @@ class NearestPoints::Tree {
   }
   [[nodiscard]] size_t places() const { return places_.list.size(); }
 
+  /// From a place to the nearest other one; there are two at least.
+  [[nodiscard]] double to_next(size_t place) const {
+    nanoflann::KNNResultSet<double, uint32_t> found(2);
+    std::array<uint32_t, 2> numbers{};
+    std::array<double, 2> squared{};
+    found.init(numbers.data(), squared.data());
+    search(glm::dvec3(places_.list[place].position), found);
+    return std::sqrt(squared[1]);
+  }
+
   [[nodiscard]] bool has_one_point_a_place() const { return places() == numbers_.size(); }
   [[nodiscard]] std::span<const uint32_t> points_at(uint32_t place) const {
     const Place& at = places_.list[place];
@@ -157,6 +167,18 @@ std::vector<uint32_t> NearestPoints::nearest(const glm::dvec3& place, size_t cou
     numbers.insert(numbers.end(), some.begin(), some.end());
   }
   return numbers;
+}
+
+double NearestPoints::spacing() const {
+  constexpr size_t kAsked = 1000;
+  const size_t places = tree_->places();
+  if (places < 2) return 0;
+  const size_t asked = std::min(kAsked, places);
+  std::vector<double> distances;
+  for (size_t n = 0; n < asked; ++n) distances.push_back(tree_->to_next(n * places / asked));
+  const auto median = distances.begin() + static_cast<std::ptrdiff_t>(asked / 2);
+  std::nth_element(distances.begin(), median, distances.end());
+  return *median;
 }
 
 }  // namespace afx

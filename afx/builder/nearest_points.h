@@ -38,6 +38,10 @@ class NearestPoints {
   /// The `count` nearest, or all if there are fewer, from near to far.
   [[nodiscard]] std::vector<uint32_t> nearest(const glm::dvec3& place, size_t count) const;
 
+  /// How far apart the points are: the median distance from a place where one is to the nearest
+  /// other one, of about 1000 places taken evenly. 0: all are in one place, or there are none.
+  [[nodiscard]] double spacing() const;
+
  private:
   class Tree;
   std::unique_ptr<Tree> tree_;

@@ -89,5 +89,36 @@ TEST(NearestPoints, OfNoneAreNone) {
   EXPECT_THAT(index.nearest({0, 0, 0}, 3), IsEmpty());
 }
 
+TEST(NearestPoints, TheSpacingOfAGridIsItsStep) {
+  std::vector<glm::vec3> points;
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 50; ++y) points.emplace_back(0.25 * x, 0.375 * y, 3);
+  EXPECT_NEAR(NearestPoints(points).spacing(), 0.25, 1e-6);
+}
+
+TEST(NearestPoints, TheSpacingIsTheMedianOfAllNearestDistances) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> place(-3, 8);
+  std::vector<glm::vec3> points;
+  for (int n = 0; n < 700; ++n) points.emplace_back(place(random), place(random), place(random));
+  std::vector<double> nearest;
+  for (const glm::vec3& p : points) {
+    double least = 1e9;
+    for (const glm::vec3& q : points)
+      if (p != q) least = std::min(least, glm::distance(glm::dvec3(p), glm::dvec3(q)));
+    nearest.push_back(least);
+  }
+  std::sort(nearest.begin(), nearest.end());
+  EXPECT_DOUBLE_EQ(NearestPoints(points).spacing(), nearest[350]);
+}
+
+TEST(NearestPoints, PointsAtOnePlaceCountAsOne) {
+  std::vector<glm::vec3> points(500, glm::vec3(1, 2, 3));
+  EXPECT_EQ(NearestPoints(points).spacing(), 0);
+  points.resize(1000, glm::vec3(1, 2, 7));
+  EXPECT_EQ(NearestPoints(points).spacing(), 4);
+  EXPECT_EQ(NearestPoints({}).spacing(), 0);
+}
+
 }  // namespace
 }  // namespace afx

@@ -16,12 +16,12 @@ namespace afx {
 inline constexpr double kPointHalfSide = 0.72;
 
 /// Every point becomes a square at its place with the origin added, as large as the points are
-/// apart (PointGrid::spacing) and facing as its normal says. Where there is none, the points around
-/// tell (PointGrid::normals, 2.5 spacings), and it looks away from the middle of the cloud; +z
-/// where they do not tell either. Without colours: white.
+/// apart (NearestPoints::spacing) and facing as its normal says. Where there is none, the points
+/// around tell (point_normals.h), and it looks away from the middle of the cloud; +z where they do
+/// not tell either. Without colours: white.
 ///
 /// threads   0 = all cores; the result is the same for any number
-/// Memory    kSurfelBytes a point, and 40 while it works
+/// Memory    kSurfelBytes a point, and 72 while it works
 /// Errors    limit_exceeded: that beyond limits.memory
 Result<Surfels> surfels_of(const PointCloud& cloud, unsigned threads, const Limits& limits);
 

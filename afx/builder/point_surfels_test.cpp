@@ -7,9 +7,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <random>
-
-#include "afx/builder/point_grid.h"
 
 namespace afx {
 namespace {
@@ -30,51 +27,6 @@ Surfels surfels_or_fail(const PointCloud& cloud, unsigned threads = 1) {
   auto surfels = surfels_of(cloud, threads, {});
   EXPECT_TRUE(surfels.ok()) << surfels.error().text;
   return surfels.ok() ? surfels.value() : Surfels{};
-}
-
-TEST(PointGrid, TheSpacingOfAGridIsItsStep) {
-  std::vector<glm::vec3> points;
-  for (int x = 0; x < 40; ++x)
-    for (int y = 0; y < 50; ++y) points.emplace_back(0.25 * x, 0.375 * y, 3);
-  EXPECT_NEAR(PointGrid(points).spacing(), 0.25, 1e-6);
-}
-
-TEST(PointGrid, TheSpacingIsTheMedianOfAllNearestDistances) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> place(-3, 8);
-  std::vector<glm::vec3> points;
-  for (int n = 0; n < 700; ++n) points.emplace_back(place(random), place(random), place(random));
-  std::vector<double> nearest;
-  for (const glm::vec3& p : points) {
-    double least = 1e9;
-    for (const glm::vec3& q : points)
-      if (p != q) least = std::min(least, glm::distance(glm::dvec3(p), glm::dvec3(q)));
-    nearest.push_back(least);
-  }
-  std::sort(nearest.begin(), nearest.end());
-  EXPECT_DOUBLE_EQ(PointGrid(points).spacing(), nearest[350]);
-}
-
-TEST(PointGrid, PointsAtOnePlaceCountAsOne) {
-  std::vector<glm::vec3> points(500, glm::vec3(1, 2, 3));
-  EXPECT_EQ(PointGrid(points).spacing(), 0);
-  points.resize(1000, glm::vec3(1, 2, 7));
-  EXPECT_EQ(PointGrid(points).spacing(), 4);
-  EXPECT_EQ(PointGrid({}).spacing(), 0);
-}
-
-TEST(PointGrid, NormalsOfAPlaneAreItsAndThoseOfALineUnknown) {
-  std::vector<glm::vec3> plane, line;
-  const glm::vec3 normal = glm::normalize(glm::vec3(1, 2, -2));
-  const glm::vec3 a = glm::normalize(glm::vec3(2, -1, 0)), b = glm::cross(normal, a);
-  for (int x = 0; x < 20; ++x) {
-    line.push_back(0.1F * static_cast<float>(x) * a);
-    for (int y = 0; y < 20; ++y)
-      plane.push_back(0.1F * static_cast<float>(x) * a + 0.1F * static_cast<float>(y) * b);
-  }
-  for (const glm::vec3& n : PointGrid(plane).normals(0.25, 1))
-    EXPECT_NEAR(std::abs(glm::dot(n, normal)), 1, 1e-5);
-  for (const glm::vec3& n : PointGrid(line).normals(0.25, 1)) EXPECT_EQ(n, glm::vec3(0));
 }
 
 TEST(PointSurfels, OfASphereFaceOutwardsAndOverlapALittle) {
