@@ -9,23 +9,11 @@
 #include <set>
 #include <string>
 
+#include "render/test_drawing.h"
 #include "render/test_scenes.h"
 
 namespace afx::render {
 namespace {
-
-RenderedImage drawn(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  auto image = render(scene, camera, options);
-  EXPECT_TRUE(image.ok()) << (image.ok() ? "" : image.error().text);
-  return image.ok() ? std::move(image).value() : RenderedImage{};
-}
-
-/// The sum of alpha, in pixels.
-double covered_area(const Picture& picture) {
-  double sum = 0;
-  for (size_t i = 3; i < picture.samples.size(); i += 4) sum += picture.samples[i] / 255.0;
-  return sum;
-}
 
 TestModel one_voxel(unsigned level = 0, Voxel v = {0, 0, 0}) {
   TestModelMaker maker(level);

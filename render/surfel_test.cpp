@@ -12,22 +12,11 @@
 
 #include "render/renderer.h"
 #include "render/surfel_splats.h"
+#include "render/test_drawing.h"
 #include "render/test_surfels.h"
 
 namespace afx::render {
 namespace {
-
-RenderedImage drawn(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  auto image = render(scene, camera, options);
-  EXPECT_TRUE(image.ok()) << (image.ok() ? "" : image.error().text);
-  return image.ok() ? std::move(image).value() : RenderedImage{};
-}
-
-double covered_area(const Picture& picture) {
-  double sum = 0;
-  for (size_t i = 3; i < picture.samples.size(); i += 4) sum += picture.samples[i] / 255.0;
-  return sum;
-}
 
 Rgba8 at(const RenderedImage& image, uint32_t x, uint32_t y) {
   const uint8_t* p = image.picture.pixel(x, y);

@@ -188,15 +188,34 @@ int run_render(const RenderCommand& command, const Session& session) {
        {"voxels", drawn.voxels()}});
 }
 
+void add_view_options(CLI::App& command, RenderCommand& options) {
+  const render::View view;
+  options.azimuth = glm::degrees(view.azimuth);
+  options.elevation = glm::degrees(view.elevation);
+  options.field_of_view = glm::degrees(view.field_of_view);
+  options.margin = view.margin;
+  command.add_flag("--orthographic", options.orthographic, "Parallel projection");
+  command
+      .add_option("--azimuth", options.azimuth,
+                  "Degrees to the right of the front that the camera stands")
+      ->capture_default_str();
+  command
+      .add_option("--elevation", options.elevation,
+                  "Degrees above the horizon that the camera stands")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->capture_default_str();
+  command.add_option("--fov", options.field_of_view, "Full vertical angle of view in degrees")
+      ->check(CLI::Range(0.1, 170.0))
+      ->capture_default_str();
+  command.add_option("--margin", options.margin, "Free border, as a part of the picture")
+      ->check(CLI::Range(0.0, 0.45))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_render(CLI::App& program, Session& session) {
   auto options = std::make_shared<RenderCommand>();
-  const render::View view;
-  options->azimuth = glm::degrees(view.azimuth);
-  options->elevation = glm::degrees(view.elevation);
-  options->field_of_view = glm::degrees(view.field_of_view);
-  options->margin = view.margin;
   CLI::App* command =
       program.add_subcommand("render", "Scene, stream, raw octree, mesh or points -> picture");
   command
@@ -223,22 +242,7 @@ void add_render(CLI::App& program, Session& session) {
   command->add_option(
       "--background", options->background,
       "#rrggbb, #rrggbbaa, white, black or transparent (default: transparent, white for JPEG)");
-  command->add_flag("--orthographic", options->orthographic, "Parallel projection");
-  command
-      ->add_option("--azimuth", options->azimuth,
-                   "Degrees to the right of the front that the camera stands")
-      ->capture_default_str();
-  command
-      ->add_option("--elevation", options->elevation,
-                   "Degrees above the horizon that the camera stands")
-      ->check(CLI::Range(-90.0, 90.0))
-      ->capture_default_str();
-  command->add_option("--fov", options->field_of_view, "Full vertical angle of view in degrees")
-      ->check(CLI::Range(0.1, 170.0))
-      ->capture_default_str();
-  command->add_option("--margin", options->margin, "Free border, as a part of the picture")
-      ->check(CLI::Range(0.0, 0.45))
-      ->capture_default_str();
+  add_view_options(*command, *options);
   command
       ->add_option("--samples", options->samples,
                    "Samples along a side of a pixel: smoothness of the edges")
