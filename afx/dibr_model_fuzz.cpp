@@ -51,9 +51,9 @@ void check_written(const DepthImage& image) {
 
 void check_drawing(const Surfels& surfels) {
   const DepthCamera camera{{0, 0, 10}, {1, 0, 0, 0}, true, {4, 4}, 1, 100};
-  const auto drawn = draw_surfels(surfels, camera, 9, 7, 16, 1, small_limits());
+  const auto drawn = draw_surfels(surfels, {camera, 9, 7}, 16, 1, small_limits());
   if (drawn.ok()) require(check_depth_image(drawn.value()).ok());
-  const auto layered = layer_surfels(surfels, camera, 9, 7, 12, small_limits());
+  const auto layered = layer_surfels(surfels, {camera, 9, 7}, 12, small_limits());
   if (layered.ok()) require(check_depth_image(layered.value()).ok());
 }
 

@@ -29,7 +29,7 @@ DepthCamera reference_camera() { return {{0, 0, 2}, {1, 0, 0, 0}, true, {2, 2}, 
 
 DepthImage layers_or_fail(const Surfels& surfels, uint32_t side, unsigned bits,
                           const DepthCamera& camera = reference_camera()) {
-  auto image = layer_surfels(surfels, camera, side, side, bits, {});
+  auto image = layer_surfels(surfels, {camera, side, side}, bits, {});
   EXPECT_TRUE(image.ok()) << image.error().text;
   return image.ok() ? std::move(image).value() : DepthImage{};
 }
@@ -211,7 +211,7 @@ TEST_P(SampledSphere, HasNoHolesAndDoesNotGrowByMoreThanAPixel) {
         glm::dvec3(0.5, 0.3, 0.8), glm::dvec3(-0.7, 0.6, -0.4), glm::dvec3(0.9, 0.1, 0.3)}) {
     const DepthCamera camera = camera_at(glm::normalize(from));
     const uint32_t fine = 2 * side + 1;
-    const auto drawn = draw_surfels(surfels, camera, fine, fine, 16, 1, {});
+    const auto drawn = draw_surfels(surfels, {camera, fine, fine}, 16, 1, {});
     ASSERT_TRUE(drawn.ok());
     const Faults faults =
         faults_of_sphere(std::get<SimpleTexture>(drawn.value().texture), camera, 2.0 / side);

@@ -42,14 +42,14 @@ BENCHMARK(from_a_depth_image)->Unit(benchmark::kMillisecond);
 void drawn(benchmark::State& state) {
   const auto threads = static_cast<unsigned>(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(draw_surfels(pieces(), other_camera(), 1024, 1024, 16, threads, {}));
+    benchmark::DoNotOptimize(draw_surfels(pieces(), {other_camera(), 1024, 1024}, 16, threads, {}));
   count(state);
 }
 BENCHMARK(drawn)->Arg(1)->Arg(0)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void layered(benchmark::State& state) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(layer_surfels(pieces(), other_camera(), 1024, 1024, 16, {}));
+    benchmark::DoNotOptimize(layer_surfels(pieces(), {other_camera(), 1024, 1024}, 16, {}));
   count(state);
 }
 BENCHMARK(layered)->Unit(benchmark::kMillisecond);

@@ -193,22 +193,21 @@ constexpr uint64_t kPixelBytes = 6;  // colour and depth
 
 }  // namespace
 
-Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
-                                uint32_t height, unsigned depth_bits, unsigned threads,
-                                const Limits& limits) {
-  const DepthRequest request{width, height, depth_bits};
-  if (Status s = check_depth_request(camera, request, 16, kPixelBytes, limits); !s.ok())
-    return s.error();
+Result<DepthImage> draw_surfels(const Surfels& surfels, const Shot& shot, unsigned depth_bits,
+                                unsigned threads, const Limits& limits) {
+  if (Status s = check_shot(shot, kPixelBytes, limits); !s.ok()) return s.error();
+  if (Status s = check_depth_bits(depth_bits, 16); !s.ok()) return s.error();
   if (surfels.size() > std::min<uint64_t>(limits.memory / sizeof(Rows), 0xffffffff))
     return beyond_limit("there are " + std::to_string(surfels.size()) + " pieces of surface");
   const bool opaque = std::all_of(surfels.colours.begin(), surfels.colours.end(),
                                   [](Rgba8 c) { return c.a == 255 || c.a == 0; });
   SimpleTexture picture;
-  picture.colour = Picture(width, height, opaque ? 3 : 4);
-  picture.depth = {width, height, 1, depth_bits, std::vector<uint16_t>(size_t{width} * height)};
-  if (Status drawn = Drawing(surfels, camera, picture).draw(threads, limits); !drawn.ok())
+  picture.colour = Picture(shot.width, shot.height, opaque ? 3 : 4);
+  picture.depth = {shot.width, shot.height, 1, depth_bits,
+                   std::vector<uint16_t>(size_t{shot.width} * shot.height)};
+  if (Status drawn = Drawing(surfels, shot.camera, picture).draw(threads, limits); !drawn.ok())
     return drawn.error();
-  return DepthImage{camera, std::move(picture)};
+  return DepthImage{shot.camera, std::move(picture)};
 }
 
 }  // namespace afx

@@ -7,8 +7,8 @@
 
 #include <cstdint>
 
-#include "afx/depth_camera.h"
 #include "afx/depth_image.h"
+#include "afx/shot.h"
 #include "afx/surfels.h"
 #include "codec/error.h"
 #include "codec/limits.h"
@@ -31,11 +31,10 @@ namespace afx {
 /// depth_bits  1..16
 /// threads     0 = all cores; the result is the same for any number
 /// Returns     RGB, or RGBA where there is a piece that is not opaque; black where nothing is seen
-/// Errors      bad_argument: those of check_depth_camera, a size of 0, depth_bits;
+/// Errors      bad_argument: those of check_shot, depth_bits;
 ///             limit_exceeded: limits.picture_pixels, limits.memory, more pixels touched than
 ///             most_surfel_pixels (surfel_footprint.h)
-Result<DepthImage> draw_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
-                                uint32_t height, unsigned depth_bits, unsigned threads,
-                                const Limits& limits);
+Result<DepthImage> draw_surfels(const Surfels& surfels, const Shot& shot, unsigned depth_bits,
+                                unsigned threads, const Limits& limits);
 
 }  // namespace afx

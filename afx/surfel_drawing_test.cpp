@@ -24,7 +24,7 @@ Surfels surfels_or_fail(const DepthImage& image) {
 
 SimpleTexture draw_or_fail(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
                            uint32_t height, unsigned bits, unsigned threads = 1) {
-  auto image = draw_surfels(surfels, camera, width, height, bits, threads, {});
+  auto image = draw_surfels(surfels, {camera, width, height}, bits, threads, {});
   EXPECT_TRUE(image.ok()) << image.error().text;
   if (!image.ok()) return {};
   EXPECT_TRUE(check_depth_image(image.value()).ok());
@@ -251,10 +251,11 @@ TEST(DrawSurfels, OpacityIsAveragedAndWhatIsTransparentIsNotSeen) {
 TEST(DrawSurfels, RefuseWhatCannotBe) {
   const auto error = [](const Surfels& surfels, uint32_t width, unsigned bits,
                         const Limits& limits) {
-    const auto drawn = draw_surfels(surfels, plain_camera(), width, width, bits, 1, limits);
+    const auto drawn = draw_surfels(surfels, {plain_camera(), width, width}, bits, 1, limits);
     return drawn.ok() ? Error{Errc::io, {}, "none"} : drawn.error();
   };
-  EXPECT_EQ(error({}, 0, 8, {}).text, "the picture has no pixels");
+  EXPECT_EQ(error({}, 0, 8, {}).text,
+            "the picture is 0 x 0 pixels (expected 1 to 65535 along a side)");
   EXPECT_EQ(error({}, 4, 0, {}).text, "the depth has 0 bits (expected 1 to 16)");
   EXPECT_EQ(error({}, 4, 17, {}).text, "the depth has 17 bits (expected 1 to 16)");
   Limits few;
@@ -271,7 +272,7 @@ TEST(DrawSurfels, RefuseWhatCannotBe) {
             "there are 129 pieces of surface (more than the limit)");
   DepthCamera bad = plain_camera();
   bad.far_plane = 1;
-  EXPECT_EQ(draw_surfels({}, bad, 4, 4, 8, 1, {}).error().text,
+  EXPECT_EQ(draw_surfels({}, {bad, 4, 4}, 8, 1, {}).error().text,
             "field farPlane is 1 (expected more than nearPlane)");
 }
 

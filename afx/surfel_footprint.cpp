@@ -26,19 +26,11 @@ Error beyond_limit(const std::string& what) {
   return {Errc::limit_exceeded, Place::none(), what + " (more than the limit)"};
 }
 
-Status check_depth_request(const DepthCamera& camera, const DepthRequest& request,
-                           unsigned most_bits, uint64_t pixel_bytes, const Limits& limits) {
-  if (Status checked = check_depth_camera(camera); !checked.ok()) return checked;
-  const uint64_t pixels = uint64_t{request.width} * request.height;
-  if (pixels == 0) return Error{Errc::bad_argument, Place::none(), "the picture has no pixels"};
-  if (request.depth_bits < 1 || request.depth_bits > most_bits)
-    return Error{Errc::bad_argument, Place::none(),
-                 "the depth has " + std::to_string(request.depth_bits) + " bits (expected 1 to " +
-                     std::to_string(most_bits) + ")"};
-  if (pixels > std::min(limits.picture_pixels, limits.memory / pixel_bytes))
-    return beyond_limit("the picture has " + std::to_string(request.width) + " x " +
-                        std::to_string(request.height) + " pixels");
-  return {};
+Status check_depth_bits(unsigned bits, unsigned most) {
+  if (bits >= 1 && bits <= most) return {};
+  return Error{Errc::bad_argument, Place::none(),
+               "the depth has " + std::to_string(bits) + " bits (expected 1 to " +
+                   std::to_string(most) + ")"};
 }
 
 uint32_t SurfelFootprint::first_row() const {

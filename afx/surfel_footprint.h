@@ -28,16 +28,8 @@ constexpr uint64_t most_surfel_pixels(uint32_t width, uint32_t height) {
 /// limit_exceeded: `what` is more than the limit.
 Error beyond_limit(const std::string& what);
 
-/// A picture that is asked for.
-struct DepthRequest {
-  uint32_t width = 0, height = 0;
-  unsigned depth_bits = 0;
-};
-
-/// Errors  bad_argument: those of check_depth_camera, a size of 0, depth_bits outside 1..most_bits;
-///         limit_exceeded: limits.picture_pixels, or limits.memory with pixel_bytes a pixel
-Status check_depth_request(const DepthCamera& camera, const DepthRequest& request,
-                           unsigned most_bits, uint64_t pixel_bytes, const Limits& limits);
+/// Errors  bad_argument: outside 1..most
+Status check_depth_bits(unsigned bits, unsigned most);
 
 /// A range of pixels counted from the lower left: i0 <= i < i1, j0 <= j < j1.
 struct PixelRange {

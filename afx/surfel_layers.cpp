@@ -142,20 +142,17 @@ unsigned depth_bits_for(double range, double pixel_side) {
   return bits;
 }
 
-Result<DepthImage> layer_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
-                                 uint32_t height, unsigned depth_bits, const Limits& limits) {
-  const DepthRequest request{width, height, depth_bits};
-  if (Status s = check_depth_request(camera, request, 32, sizeof(uint32_t), limits); !s.ok())
-    return s.error();
-  if (uint64_t{width} * height > 0xffffffff)
-    return beyond_limit("the picture has " + std::to_string(width) + " x " +
-                        std::to_string(height) + " pixels");
+Result<DepthImage> layer_surfels(const Surfels& surfels, const Shot& shot, unsigned depth_bits,
+                                 const Limits& limits) {
+  if (Status s = check_shot(shot, sizeof(uint32_t), limits); !s.ok()) return s.error();
+  if (Status s = check_depth_bits(depth_bits, 32); !s.ok()) return s.error();
   PointTexture texture;
-  texture.width = width;
-  texture.height = height;
+  texture.width = shot.width;
+  texture.height = shot.height;
   texture.depth_bits = depth_bits;
-  if (Status run = Layering(surfels, camera, texture).run(limits); !run.ok()) return run.error();
-  return DepthImage{camera, std::move(texture)};
+  if (Status run = Layering(surfels, shot.camera, texture).run(limits); !run.ok())
+    return run.error();
+  return DepthImage{shot.camera, std::move(texture)};
 }
 
 }  // namespace afx

@@ -7,8 +7,8 @@
 
 #include <cstdint>
 
-#include "afx/depth_camera.h"
 #include "afx/depth_image.h"
+#include "afx/shot.h"
 #include "afx/surfels.h"
 #include "codec/error.h"
 #include "codec/limits.h"
@@ -31,9 +31,9 @@ namespace afx {
 ///
 /// depth_bits  1..32
 /// Memory    16 bytes a sample while it works
-/// Errors    bad_argument: those of check_depth_camera, a size of 0, depth_bits; limit_exceeded:
+/// Errors    bad_argument: those of check_shot, depth_bits; limit_exceeded:
 ///           limits.picture_pixels, limits.memory, most_surfel_pixels (surfel_footprint.h)
-Result<DepthImage> layer_surfels(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
-                                 uint32_t height, unsigned depth_bits, const Limits& limits);
+Result<DepthImage> layer_surfels(const Surfels& surfels, const Shot& shot, unsigned depth_bits,
+                                 const Limits& limits);
 
 }  // namespace afx

@@ -19,7 +19,7 @@ DepthCamera plain_camera() { return {{0, 0, 0}, {1, 0, 0, 0}, true, {4, 4}, 1, 9
 
 PointTexture layers_or_fail(const Surfels& surfels, const DepthCamera& camera, uint32_t width,
                             uint32_t height, unsigned bits) {
-  auto image = layer_surfels(surfels, camera, width, height, bits, {});
+  auto image = layer_surfels(surfels, {camera, width, height}, bits, {});
   EXPECT_TRUE(image.ok()) << image.error().text;
   if (!image.ok()) return {};
   EXPECT_TRUE(check_depth_image(image.value()).ok());
@@ -173,10 +173,10 @@ TEST(LayerSurfels, RefuseWhatCannotBe) {
   const auto error = [&](uint32_t width, unsigned bits, uint64_t memory) {
     Limits limits;
     limits.memory = memory;
-    const auto layers = layer_surfels(surfels, plain_camera(), width, width, bits, limits);
+    const auto layers = layer_surfels(surfels, {plain_camera(), width, width}, bits, limits);
     return layers.ok() ? "none" : layers.error().text;
   };
-  EXPECT_EQ(error(0, 8, 1000), "the picture has no pixels");
+  EXPECT_EQ(error(0, 8, 1000), "the picture is 0 x 0 pixels (expected 1 to 65535 along a side)");
   EXPECT_EQ(error(4, 33, 1000), "the depth has 33 bits (expected 1 to 32)");
   EXPECT_EQ(error(4, 8, 63), "the picture has 4 x 4 pixels (more than the limit)");
   EXPECT_EQ(error(4, 8, 16 * 129),

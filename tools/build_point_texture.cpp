@@ -86,8 +86,8 @@ Result<BuiltScene> build_points_scene(ModelInput&& model, const BuildJob& job) {
   if (!surfels.ok()) return surfels.error();
   job.bar.show("sorting", 0.7);
   const Shot& shot = plane.value();
-  const auto image = layer_surfels(surfels.value(), shot.camera, shot.width, shot.height,
-                                   depth_bits(shot, job), job.session.limits);
+  const auto image =
+      layer_surfels(surfels.value(), shot, depth_bits(shot, job), job.session.limits);
   if (!image.ok()) return image.error();
   const auto& points = std::get<PointTexture>(image.value().texture);
   if (points.depths.empty()) return nothing_to_see();

@@ -15,27 +15,12 @@
 namespace afx {
 namespace {
 
-constexpr uint32_t kMostPixels = 65536;  // along a side
+constexpr uint64_t kPixelBytes = 16;  // of pictures and distances, and room
 // A surface seen from the side covers many texels for each pixel, but smearing over all of them
 // would blur it across the pixel too.
 constexpr double kMostStretch = 4;
 
-Error refused(const std::string& text, Errc code = Errc::bad_argument) {
-  return {code, Place::none(), text};
-}
-
-Status check_shot(const Shot& shot, uint64_t scale, const Limits& limits) {
-  if (Status right = check_depth_camera(shot.camera); !right.ok()) return right;
-  const uint64_t width = shot.width * scale, height = shot.height * scale;
-  if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels)
-    return refused("the picture is " + std::to_string(width) + " x " + std::to_string(height) +
-                   " samples (expected 1 to 65536 along a side)");
-  const uint64_t pixels = uint64_t{shot.width} * shot.height;
-  if (pixels > limits.picture_pixels || pixels > limits.memory / 16)
-    return refused("a picture of " + std::to_string(pixels) + " pixels is beyond the limit",
-                   Errc::limit_exceeded);
-  return {};
-}
+Error refused(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
 
 // How much surface a pixel covers, in texels of the surface's texture.
 class PixelFootprint {
@@ -141,7 +126,7 @@ Result<DepthImage> draw_depth_image(const MeshLook& look, const Shot& shot, unsi
                                     unsigned threads, const Limits& limits) {
   if (depth_bits != 8 && depth_bits != 16)
     return refused("the depths have " + std::to_string(depth_bits) + " bits (expected 8 or 16)");
-  if (Status right = check_shot(shot, 1, limits); !right.ok()) return right.error();
+  if (Status right = check_shot(shot, kPixelBytes, limits); !right.ok()) return right.error();
   const auto rastered =
       MeshRaster::of(look.mesh(), shot.camera, shot.width, shot.height, threads, limits);
   if (!rastered.ok()) return rastered.error();
@@ -171,7 +156,7 @@ Result<DepthImage> draw_depth_image(const MeshLook& look, const Shot& shot, unsi
 
 Result<std::vector<float>> draw_distances(const MeshLook& look, const Shot& shot, unsigned threads,
                                           const Limits& limits) {
-  if (Status right = check_shot(shot, 1, limits); !right.ok()) return right.error();
+  if (Status right = check_shot(shot, kPixelBytes, limits); !right.ok()) return right.error();
   const auto rastered =
       MeshRaster::of(look.mesh(), shot.camera, shot.width, shot.height, threads, limits);
   if (!rastered.ok()) return rastered.error();
@@ -192,7 +177,11 @@ Result<Picture> draw_picture(const MeshLook& look, const Shot& shot, unsigned sa
   if (samples < 1 || samples > 8 || MeshRaster::kBandRows % samples != 0)
     return refused("there are " + std::to_string(samples) +
                    " samples along a pixel (expected 1, 2, 3, 4, 6 or 8)");
-  if (Status right = check_shot(shot, samples, limits); !right.ok()) return right.error();
+  if (Status right = check_shot(shot, kPixelBytes, limits); !right.ok()) return right.error();
+  const uint64_t longest = uint64_t{std::max(shot.width, shot.height)} * samples;
+  if (longest > kMostPixelsAlong)
+    return refused("there are " + std::to_string(longest) +
+                   " samples along a side of the picture (expected at most 65535)");
   const auto rastered = MeshRaster::of(look.mesh(), shot.camera, shot.width * samples,
                                        shot.height * samples, threads, limits);
   if (!rastered.ok()) return rastered.error();

@@ -106,7 +106,7 @@ TEST(DrawDepthImage, RefusesWhatCannotBe) {
   EXPECT_EQ(draw_depth_image(look, {front(4), 4, 4}, 12, 1, {}).error().text,
             "the depths have 12 bits (expected 8 or 16)");
   EXPECT_EQ(draw_depth_image(look, {front(4), 0, 4}, 8, 1, {}).error().text,
-            "the picture is 0 x 4 samples (expected 1 to 65536 along a side)");
+            "the picture is 0 x 4 pixels (expected 1 to 65535 along a side)");
   Limits small;
   small.picture_pixels = 15;
   EXPECT_EQ(draw_depth_image(look, {front(4), 4, 4}, 8, 1, small).error().code,

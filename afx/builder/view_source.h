@@ -12,15 +12,10 @@
 #include "afx/builder/grid.h"
 #include "afx/builder/mesh.h"
 #include "afx/depth_image.h"
+#include "afx/shot.h"
 #include "codec/error.h"
 
 namespace afx {
-
-/// How a picture is taken.
-struct Shot {
-  DepthCamera camera;
-  uint32_t width = 0, height = 0;
-};
 
 /// A model that cameras can look at: a mesh or pieces of surface (view_sources.h). For use by one
 /// thread at a time; works with several itself.

@@ -46,13 +46,11 @@ Bounds SurfelViews::bounds_along(const glm::dmat3& axes) const {
 }
 
 Result<DepthImage> SurfelViews::take(const Shot& shot, unsigned depth_bits) const {
-  return draw_surfels(surfels_, shot.camera, shot.width, shot.height, depth_bits, threads_,
-                      limits_);
+  return draw_surfels(surfels_, shot, depth_bits, threads_, limits_);
 }
 
 Result<std::vector<float>> SurfelViews::distances(const Shot& shot) const {
-  const auto image =
-      draw_surfels(surfels_, shot.camera, shot.width, shot.height, 16, threads_, limits_);
+  const auto image = draw_surfels(surfels_, shot, 16, threads_, limits_);
   if (!image.ok()) return image.error();
   const auto& texture = std::get<SimpleTexture>(image.value().texture);
   std::vector<float> distances;
