@@ -32,7 +32,7 @@ Read read(const std::string& text, const std::string& folder = {}) {
 }
 
 const DepthImage& only(const Read& read) {
-  return std::get<std::vector<DepthImage>>(read.models.value().at(0).shape).at(0);
+  return read.models.value().at(0).depth_images()->at(0);
 }
 
 std::string error_of(const std::string& text) {

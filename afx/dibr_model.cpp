@@ -3,6 +3,7 @@
 #include "afx/dibr_model.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "afx/depth_image_nodes.h"
@@ -32,14 +33,37 @@ class ModelReader {
       : base_(base), left_(limits), diagnostics_(diagnostics) {}
 
   Result<DibrModel> read(const nodes::DibrObject& object) {
-    DibrModel model{object.to_world, {}};
-    if (object.kind == nodes::DibrObject::Kind::octree_image) {
-      auto octree = read_octree_model(object.nodes.front(), base_, left_, diagnostics_);
-      if (!octree.ok()) return std::move(octree).error();
-      take(bytes_of(octree.value()));
-      model.shape = std::move(octree).value();
-      return model;
+    const std::vector<uint32_t> nodes = main_nodes(object);
+    if (const auto known = known_.find(nodes); !nodes.empty() && known != known_.end())
+      return DibrModel{object.to_world, known->second};
+    auto shape = object.kind == nodes::DibrObject::Kind::octree_image ? read_octree(object)
+                                                                      : read_images(object);
+    if (!shape.ok()) return std::move(shape).error();
+    if (!nodes.empty()) known_[nodes] = shape.value();
+    return DibrModel{object.to_world, shape.value()};
+  }
+
+ private:
+  // The numbers of an object's nodes; none if one of them stands in a PROTO.
+  static std::vector<uint32_t> main_nodes(const nodes::DibrObject& object) {
+    std::vector<uint32_t> numbers;
+    for (const nodes::NodeView& node : object.nodes) {
+      if (node.node().scope != nodes::Scene::kMain) return {};
+      numbers.push_back(node.id().value);
     }
+    return numbers;
+  }
+
+  using Shared = std::shared_ptr<const DibrShape>;
+
+  Result<Shared> read_octree(const nodes::DibrObject& object) {
+    auto octree = read_octree_model(object.nodes.front(), base_, left_, diagnostics_);
+    if (!octree.ok()) return std::move(octree).error();
+    take(bytes_of(octree.value()));
+    return Shared(std::make_shared<DibrShape>(std::move(octree).value()));
+  }
+
+  Result<Shared> read_images(const nodes::DibrObject& object) {
     std::vector<DepthImage> images;
     for (const nodes::NodeView& node : object.nodes) {
       auto image = read_depth_image(node, base_, left_, diagnostics_);
@@ -47,16 +71,15 @@ class ModelReader {
       take(bytes_of(image.value()));
       images.push_back(std::move(image).value());
     }
-    model.shape = std::move(images);
-    return model;
+    return Shared(std::make_shared<DibrShape>(std::move(images)));
   }
 
- private:
   void take(uint64_t bytes) { left_.memory -= std::min(left_.memory, bytes); }
 
   const UrlBase& base_;
   Limits left_;
   Diagnostics& diagnostics_;
+  std::map<std::vector<uint32_t>, std::shared_ptr<const DibrShape>> known_;  // by numbers of nodes
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,13 +20,31 @@
 
 namespace afx {
 
-/// One object: DepthImages that belong together, or an OctreeImage.
+/// DepthImages that belong together, or an OctreeImage.
+using DibrShape = std::variant<std::vector<DepthImage>, OctreeModel>;
+
+/// One object: a shape and where it stands. Objects that show the same nodes share one shape.
 struct DibrModel {
-  glm::dmat4 to_world{1};  ///< from the coordinates of its nodes
-  std::variant<std::vector<DepthImage>, OctreeModel> shape;
+  glm::dmat4 to_world{1};                  ///< from the coordinates of its nodes
+  std::shared_ptr<const DibrShape> shape;  ///< not null in what is handed out
+
+  DibrModel() = default;
+  DibrModel(const glm::dmat4& matrix, std::shared_ptr<const DibrShape> shared)
+      : to_world(matrix), shape(std::move(shared)) {}
+  /// A shape of its own.
+  DibrModel(const glm::dmat4& matrix, DibrShape own)
+      : DibrModel(matrix, std::make_shared<DibrShape>(std::move(own))) {}
+
+  /// The one that it is; the other is null.
+  [[nodiscard]] const std::vector<DepthImage>* depth_images() const {
+    return std::get_if<std::vector<DepthImage>>(shape.get());
+  }
+  [[nodiscard]] const OctreeModel* octree() const { return std::get_if<OctreeModel>(shape.get()); }
 };
 
-/// Reads all objects of a scene, in its order (nodes/traversal.h), with their pictures.
+/// Reads all objects of a scene, in its order (nodes/traversal.h), with their pictures. Nodes that
+/// USE shows in several places are read once. (Not so in PROTOs: there their fields may be other
+/// ones in each instance.)
 /// Errors    those of find_dibr_objects, read_depth_image, read_octree_model; limit_exceeded: all
 ///           together take more than limits.memory
 /// Warnings  those of the readers

@@ -45,7 +45,7 @@ void check_written(const DepthImage& image) {
   Diagnostics diagnostics;
   const auto again = read_dibr_models(scene, UrlBase(""), small_limits(), diagnostics);
   require(again.ok());
-  const auto& images = std::get<std::vector<DepthImage>>(again.value().at(0).shape);
+  const auto& images = *again.value().at(0).depth_images();
   require(std::get<PointTexture>(images.at(0).texture) == *points);
 }
 
@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto models = read_dibr_models(scene.value(), UrlBase("/nowhere"), limits, diagnostics);
   if (!models.ok()) return 0;
   for (const DibrModel& model : models.value())
-    if (const auto* images = std::get_if<std::vector<DepthImage>>(&model.shape))
+    if (const auto* images = model.depth_images())
       for (const DepthImage& image : *images) check_written(image);
   const auto one = surfels_of(models.value(), 1, limits, diagnostics);
   const auto three = surfels_of(models.value(), 3, limits, diagnostics);

@@ -105,12 +105,12 @@ Result<std::vector<Surfels>> parts_of(const DibrModel& model, unsigned threads,
     parts.push_back(std::move(part).value());
     return {};
   };
-  if (const auto* octree = std::get_if<OctreeModel>(&model.shape)) {
+  if (const OctreeModel* octree = model.octree()) {
     if (Status s = take(surfels_of(*octree, threads, limits, diagnostics)); !s.ok())
       return s.error();
     return parts;
   }
-  for (const DepthImage& image : std::get<std::vector<DepthImage>>(model.shape))
+  for (const DepthImage& image : *model.depth_images())
     if (Status s = take(surfels_of(image, threads, limits)); !s.ok()) return s.error();
   return parts;
 }

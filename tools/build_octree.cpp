@@ -19,7 +19,7 @@ namespace {
 std::optional<Cube> cube_of(const ModelInput& model) {
   const auto* models = std::get_if<std::vector<DibrModel>>(&model);
   if (models == nullptr || models->size() != 1) return {};
-  if (!std::holds_alternative<OctreeModel>(models->front().shape)) return {};
+  if (models->front().octree() == nullptr) return {};
   const glm::dmat4& m = models->front().to_world;
   const double side = m[0][0];
   const glm::dvec3 centre(m[3]);
@@ -35,7 +35,7 @@ BuildOptions options_of(const ModelInput& model, const BuildJob& job) {
   options.cube = cube_of(model);
   if (options.cube && !job.command.resolution_given) {
     const auto& models = std::get<std::vector<DibrModel>>(model);
-    options.resolution = std::get<OctreeModel>(models.front().shape).resolution;
+    options.resolution = models.front().octree()->resolution;
   }
   if (const std::vector<double>& c = job.command.cube; !c.empty())
     options.cube = Cube{glm::dvec3(c[0], c[1], c[2]) - job.offset, c[3]};

@@ -36,7 +36,7 @@ void add_corners(const DepthCamera& camera, std::vector<glm::dvec3>& corners) {
 /// Points that hold an object, in the coordinates of its nodes.
 std::vector<glm::dvec3> corners_of(const DibrModel& model) {
   std::vector<glm::dvec3> corners;
-  if (const auto* images = std::get_if<std::vector<DepthImage>>(&model.shape)) {
+  if (const auto* images = model.depth_images()) {
     for (const DepthImage& image : *images) add_corners(image.camera, corners);
     return corners;
   }

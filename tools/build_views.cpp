@@ -24,7 +24,7 @@ Result<std::vector<Shot>> cameras_of_scene(const Input& input, const BuildJob& j
   if (!models.ok()) return models.error();
   std::vector<Shot> shots;
   for (const DibrModel& model : models.value()) {
-    const auto* images = std::get_if<std::vector<DepthImage>>(&model.shape);
+    const auto* images = model.depth_images();
     if (images == nullptr) continue;
     glm::dmat4 moved(1);
     moved[3] = model.to_world[3];

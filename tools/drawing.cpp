@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
-#include "afx/depth_image_nodes.h"
 #include "afx/surfel_sources.h"
 
 namespace afx::tools {
@@ -54,50 +54,15 @@ Result<const ColouredVoxels*> Drawing::colour(const OctreeModel& model) {
   return &voxels;
 }
 
-/// An OctreeImage that stands in several places is coloured once. (Not so in a PROTO: there its
-/// fields may be other ones in each instance.)
-Status Drawing::add_octree_node(const nodes::DibrObject& object, const UrlBase& base) {
-  const nodes::NodeView& view = object.nodes.front();
-  const auto known = of_node_.find(view.id().value);
-  const ColouredVoxels* voxels = known == of_node_.end() ? nullptr : known->second;
-  if (voxels == nullptr) {
-    const auto model = read_octree_model(view, base, left_, diagnostics_);
-    if (!model.ok()) return model.error();
-    const auto coloured = colour(model.value());
-    if (!coloured.ok()) return coloured.error();
-    voxels = coloured.value();
-    if (view.node().scope == nodes::Scene::kMain) of_node_[view.id().value] = voxels;
-  }
-  place(*voxels, object.to_world);
-  return {};
-}
-
-Status Drawing::add_depth_images(const nodes::DibrObject& object, const UrlBase& base) {
-  for (const nodes::NodeView& node : object.nodes) {
-    auto image = read_depth_image(node, base, left_, diagnostics_);
-    if (!image.ok()) return std::move(image).error();
-    std::vector<DepthImage> one;
-    one.push_back(std::move(image).value());
-    if (Status added = add(one, object.to_world); !added.ok()) return added;
-  }
-  return {};
-}
-
-void Drawing::add(Surfels&& surfels, const glm::dmat4& to_world) {
+void Drawing::keep(Surfels&& surfels) {
   left_.memory -= std::min(left_.memory, surfels.size() * kSurfelBytes);
   surfels_.push_back(std::move(surfels));
-  scene_.surfels.push_back({&surfels_.back(), to_world});
 }
 
 Status Drawing::add(const LoadedScene& scene) {
-  const auto objects = nodes::find_dibr_objects(scene.scene);
-  if (!objects.ok()) return objects.error();
-  for (const nodes::DibrObject& object : objects.value()) {
-    Status status = object.kind == nodes::DibrObject::Kind::octree_image
-                        ? add_octree_node(object, scene.base())
-                        : add_depth_images(object, scene.base());
-    if (!status.ok()) return status;
-  }
+  const auto models = read_dibr_models(scene.scene, scene.base(), left_, diagnostics_);
+  if (!models.ok()) return models.error();
+  if (Status added = add(models.value()); !added.ok()) return added;
   warn_of_left_out(scene.scene, diagnostics_);
   if (!voxels_.empty() || !surfels_.empty()) return {};
   return Error{Errc::malformed, Place::none(),
@@ -107,12 +72,9 @@ Status Drawing::add(const LoadedScene& scene) {
 Status Drawing::add(const OctreeModel& model, const glm::dmat4& to_world) {
   const auto coloured = colour(model);
   if (!coloured.ok()) return coloured.error();
-  place(*coloured.value(), to_world);
-  return {};
-}
-
-void Drawing::place(const ColouredVoxels& voxels, const glm::dmat4& to_world) {
+  const ColouredVoxels& voxels = *coloured.value();
   scene_.voxels.push_back({voxels.level, voxels.codes, voxels.colours, to_world});
+  return {};
 }
 
 Status Drawing::add(ModelInput&& model, Shade shade) {
@@ -125,28 +87,47 @@ Status Drawing::add(ModelInput&& model, Shade shade) {
   if (const auto* models = std::get_if<std::vector<DibrModel>>(&model)) return add(*models);
   auto surfels = surfels_of_input(std::move(model), session_, diagnostics_);
   if (!surfels.ok()) return std::move(surfels).error();
-  add(std::move(surfels).value(), glm::dmat4(1));
+  keep(std::move(surfels).value());
+  scene_.surfels.push_back({&surfels_.back(), glm::dmat4(1)});
   return {};
 }
 
+/// A shape that stands in several places is made ready once.
 Status Drawing::add(const std::vector<DibrModel>& models) {
+  std::map<const DibrShape*, render::Scene> known;
   for (const DibrModel& model : models) {
-    const auto* octree = std::get_if<OctreeModel>(&model.shape);
-    Status status = octree != nullptr
-                        ? add(*octree, model.to_world)
-                        : add(std::get<std::vector<DepthImage>>(model.shape), model.to_world);
-    if (!status.ok()) return status;
+    const auto [at, is_new] = known.try_emplace(model.shape.get());
+    if (is_new) {
+      auto ready = make_ready(model);
+      if (!ready.ok()) return std::move(ready).error();
+      at->second = std::move(ready).value();
+    }
+    for (render::VoxelCloud cloud : at->second.voxels) {
+      cloud.local_to_world = model.to_world;
+      scene_.voxels.push_back(cloud);
+    }
+    for (const render::SurfelCloud& cloud : at->second.surfels)
+      scene_.surfels.push_back({cloud.surfels, model.to_world});
   }
   return {};
 }
 
-Status Drawing::add(const std::vector<DepthImage>& images, const glm::dmat4& to_world) {
-  for (const DepthImage& image : images) {
+Result<render::Scene> Drawing::make_ready(const DibrModel& model) {
+  render::Scene scene;
+  if (const OctreeModel* octree = model.octree()) {
+    const auto voxels = colour(*octree);
+    if (!voxels.ok()) return voxels.error();
+    scene.voxels.push_back(
+        {voxels.value()->level, voxels.value()->codes, voxels.value()->colours, glm::dmat4(1)});
+    return scene;
+  }
+  for (const DepthImage& image : *model.depth_images()) {
     auto surfels = surfels_of(image, session_.options.threads, left_);
     if (!surfels.ok()) return std::move(surfels).error();
-    add(std::move(surfels).value(), to_world);
+    keep(std::move(surfels).value());
+    scene.surfels.push_back({&surfels_.back(), glm::dmat4(1)});
   }
-  return {};
+  return scene;
 }
 
 std::vector<glm::dvec3> Drawing::outline() const {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <list>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -17,7 +16,6 @@
 #include "afx/surfels.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
-#include "nodes/traversal.h"
 #include "render/renderer.h"
 #include "tools/model_input.h"
 #include "tools/scene_input.h"
@@ -58,13 +56,11 @@ class Drawing {
   [[nodiscard]] uint64_t voxels() const;
 
  private:
-  Status add_octree_node(const nodes::DibrObject& object, const UrlBase& base);
-  Status add_depth_images(const nodes::DibrObject& object, const UrlBase& base);
   Result<const ColouredVoxels*> colour(const OctreeModel& model);
   Status add(const std::vector<DibrModel>& models);
-  Status add(const std::vector<DepthImage>& images, const glm::dmat4& to_world);
-  void add(Surfels&& surfels, const glm::dmat4& to_world);
-  void place(const ColouredVoxels& voxels, const glm::dmat4& to_world);
+  /// The clouds of a shape, in its own coordinates.
+  Result<render::Scene> make_ready(const DibrModel& model);
+  void keep(Surfels&& surfels);
   [[nodiscard]] Result<render::RenderedImage> draw_mesh(const render::Camera& camera,
                                                         const render::RenderOptions& options) const;
 
@@ -73,7 +69,6 @@ class Drawing {
   unsigned level_ = 32;
   Limits left_;  // of the session's
   std::list<ColouredVoxels> voxels_;
-  std::map<uint32_t, const ColouredVoxels*> of_node_;  // those of nodes that USE may show again
   std::list<Surfels> surfels_;
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<MeshLook> look_;

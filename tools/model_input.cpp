@@ -54,8 +54,8 @@ Result<std::vector<DibrModel>> read_octree_alone(const Input& input, OctreeQuery
     diagnostics.warn("no_pictures", Place::none(),
                      "a stream alone has no pictures: the model is grey");
   node.fields.voxel_image_index.clear();
-  std::vector<DibrModel> models(1);
-  models[0].shape = OctreeModel{node.resolution, std::move(node.fields), {}};
+  std::vector<DibrModel> models;
+  models.emplace_back(glm::dmat4(1), OctreeModel{node.resolution, std::move(node.fields), {}});
   return models;
 }
 
