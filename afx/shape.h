@@ -6,6 +6,7 @@
 // the geometry nodes (clauses not checked).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -34,6 +35,11 @@ struct Geometry {
   /// both sides are, and light falls on the one that is seen.
   bool solid = true;
 };
+
+/// Corners of one primitive.
+constexpr size_t corners_of(Geometry::Kind kind) {
+  return kind == Geometry::Kind::triangles ? 3 : kind == Geometry::Kind::lines ? 2 : 1;
+}
 
 /// How a surface looks. Colours are display values (sRGB), 0..1; lighting is reckoned with them as
 /// they are, as VRML97 does.

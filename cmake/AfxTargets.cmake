@@ -45,11 +45,16 @@ function(afx_layer name)
   target_link_libraries(afx_${name} PUBLIC afx_options ${arg_DEPENDS})
 endfunction()
 
-# afx_checks(codec LIBS ...): one program of unit tests, and a program for each benchmark and fuzz target.
+# afx_checks(codec LIBS ... FOLDERS ...): one program of unit tests, of this folder and those below it that are
+# named, and a program for each benchmark and fuzz target.
 function(afx_checks name)
-  cmake_parse_arguments(arg "" "" "LIBS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "LIBS;FOLDERS" ${ARGN})
   if(AFX_TESTS)
     file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
+    foreach(folder ${arg_FOLDERS})
+      file(GLOB more CONFIGURE_DEPENDS ${folder}/*_test.cpp)
+      list(APPEND tests ${more})
+    endforeach()
     if(tests)
       add_executable(${name}_tests ${tests})
       target_link_libraries(${name}_tests PRIVATE ${arg_LIBS} afx_options GTest::gmock GTest::gtest_main

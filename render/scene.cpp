@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <string>
 
 #include "codec/octree_voxels.h"
 
@@ -14,6 +15,79 @@ namespace afx::render {
 namespace {
 
 constexpr unsigned kOutlineLevel = 5;
+
+Error bad(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
+
+Status check_matrix(const glm::dmat4& m, const std::string& whose) {
+  bool affine = true;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) affine = affine && std::isfinite(m[column][row]);
+    affine = affine && m[column][3] == (column == 3 ? 1 : 0);
+  }
+  if (affine) return {};
+  return bad("the matrix of a " + whose + " is not affine or not finite");
+}
+
+Status check(const VoxelCloud& cloud) {
+  if (cloud.tree == nullptr) return bad("a voxel cloud without voxels");
+  return check_matrix(cloud.local_to_world, "voxel cloud");
+}
+
+Status check(const SurfelCloud& cloud) {
+  if (cloud.surfels == nullptr) return bad("a surfel cloud without surfels");
+  const Surfels& s = *cloud.surfels;
+  if (s.u.size() != s.size() || s.v.size() != s.size() || s.colours.size() != s.size()) {
+    return bad(std::to_string(s.size()) + " surfels with " + std::to_string(s.u.size()) + " and " +
+               std::to_string(s.v.size()) + " sides and " + std::to_string(s.colours.size()) +
+               " colours (expected as many)");
+  }
+  return check_matrix(cloud.local_to_world, "surfel cloud");
+}
+
+Status check(const Geometry& geometry) {
+  const size_t count = geometry.positions.size();
+  const auto fits = [count](size_t size) { return size == 0 || size == count; };
+  if (!fits(geometry.normals.size()) || !fits(geometry.texture_coordinates.size()) ||
+      !fits(geometry.colours.size())) {
+    return bad("a shape of " + std::to_string(count) +
+               " corners with other numbers of normals, texture coordinates or colours");
+  }
+  if (geometry.kind == Geometry::Kind::triangles && geometry.normals.size() != count)
+    return bad("triangles without normals");
+  const size_t each = corners_of(geometry.kind);
+  if (geometry.indices.size() % each != 0)
+    return bad("a shape whose indices end inside of a primitive");
+  for (const uint32_t index : geometry.indices) {
+    if (index >= count) {
+      return bad("a shape names corner " + std::to_string(index) + " (expected below " +
+                 std::to_string(count) + ")");
+    }
+  }
+  return {};
+}
+
+Status check(const Shape& shape, size_t lights) {
+  if (shape.geometry == nullptr || shape.look == nullptr)
+    return bad("a shape without geometry or look");
+  for (const uint32_t light : shape.lights) {
+    if (light >= lights) {
+      return bad("a shape names light " + std::to_string(light) + " (expected below " +
+                 std::to_string(lights) + ")");
+    }
+  }
+  if (Status s = check(*shape.geometry); !s.ok()) return s;
+  return check_matrix(shape.to_world, "shape");
+}
+
+Status check_count(const Scene& scene) {
+  uint64_t pieces = 0;
+  for (const VoxelCloud& cloud : scene.voxels) pieces += cloud.tree->voxels();
+  for (const SurfelCloud& cloud : scene.surfels) pieces += cloud.surfels->size();
+  if (pieces < uint64_t{1} << 30) return {};
+  return Error{
+      Errc::limit_exceeded, Place::none(),
+      "a scene of " + std::to_string(pieces) + " voxels and surfels (expected fewer than 2^30)"};
+}
 
 void add_cell(const VoxelCloud& cloud, uint64_t cell, unsigned level,
               std::vector<glm::dvec3>& points) {
@@ -80,18 +154,29 @@ void add_surfels(const SurfelCloud& cloud, std::vector<glm::dvec3>& points) {
 
 }  // namespace
 
+Status check_scene(const Scene& scene) {
+  for (const VoxelCloud& cloud : scene.voxels)
+    if (Status s = check(cloud); !s.ok()) return s;
+  for (const SurfelCloud& cloud : scene.surfels)
+    if (Status s = check(cloud); !s.ok()) return s;
+  for (const Shape& shape : scene.shapes)
+    if (Status s = check(shape, scene.lights.size()); !s.ok()) return s;
+  return check_count(scene);
+}
+
 std::vector<glm::dvec3> outline(const Scene& scene) {
   std::vector<glm::dvec3> points;
   for (const VoxelCloud& cloud : scene.voxels) {
-    const unsigned level = std::min(cloud.level, kOutlineLevel);
-    const unsigned shift = 3 * (cloud.level - level);
-    for (size_t i = 0; i < cloud.codes.size(); ++i) {
-      const uint64_t cell = cloud.codes[i] >> shift;
-      if (i > 0 && cloud.codes[i - 1] >> shift == cell) continue;
-      add_cell(cloud, cell, level, points);
-    }
+    const unsigned level = std::min(cloud.tree->level(), kOutlineLevel);
+    for (const uint64_t cell : cloud.tree->codes(level)) add_cell(cloud, cell, level, points);
   }
   for (const SurfelCloud& cloud : scene.surfels) add_surfels(cloud, points);
+  for (const Shape& shape : scene.shapes) {
+    for (const uint32_t index : shape.geometry->indices) {
+      const glm::dvec3 corner(shape.geometry->positions[index]);
+      points.emplace_back(shape.to_world * glm::dvec4(corner, 1));
+    }
+  }
   return points;
 }
 

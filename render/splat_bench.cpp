@@ -13,9 +13,12 @@ void draw(benchmark::State& state, const Scene& scene, size_t splats) {
   if (!camera.ok()) return state.SkipWithError("no camera");
   const RenderOptions options{.samples = static_cast<unsigned>(state.range(0)),
                               .threads = static_cast<unsigned>(state.range(1))};
+  const auto renderer = make_software_renderer();
+  if (!renderer->set_scene(scene).ok()) return state.SkipWithError("no scene");
+  RenderedImage image;
   for (auto _ : state) {
-    auto image = render(scene, camera.value(), options);
-    benchmark::DoNotOptimize(image);
+    const Status drawn = renderer->draw(camera.value(), options, image);
+    benchmark::DoNotOptimize(drawn);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(splats));
   state.counters["splats"] = static_cast<double>(splats);

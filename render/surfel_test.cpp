@@ -11,7 +11,7 @@
 #include <string>
 
 #include "render/renderer.h"
-#include "render/surfel_splats.h"
+#include "render/software/surfel_splats.h"
 #include "render/test_drawing.h"
 #include "render/test_surfels.h"
 
@@ -348,13 +348,13 @@ TEST(Surfels, CloudsThatDoNotFitAreRefused) {
     const auto image = render({.surfels = {cloud}}, Camera{}, {.width = 4, .height = 4});
     return image.ok() ? std::string("ok") : image.error().text;
   };
-  SurfelCloud cloud{.surfels = &surfels};
+  SurfelCloud cloud{.surfels = std::make_shared<Surfels>(surfels)};
   EXPECT_EQ(text(cloud), "ok");
   cloud.local_to_world[1][2] = NAN;
   EXPECT_EQ(text(cloud), "the matrix of a surfel cloud is not affine or not finite");
   EXPECT_EQ(text({}), "a surfel cloud without surfels");
   surfels.v.clear();
-  EXPECT_EQ(text({.surfels = &surfels}),
+  EXPECT_EQ(text({.surfels = std::make_shared<Surfels>(surfels)}),
             "1 surfels with 1 and 0 sides and 1 colours (expected as many)");
 }
 
@@ -362,14 +362,14 @@ TEST(Surfels, LimitsAreKept) {
   Surfels surfels;
   add_square(surfels, 0.5, 0, 1, kRed);
   Limits limits;
-  limits.memory = 475;  // 4 bytes a pixel and 76 for the surfel
+  limits.memory = 483;  // 4 bytes a pixel and 84 for the surfel
   const RenderOptions options{.width = 10, .height = 10};
   const auto image = render(scene_of(surfels), Camera{}, options, limits);
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.error().code, Errc::limit_exceeded);
   EXPECT_EQ(image.error().text,
-            "drawing 0 voxels and 1 surfels into 100 pixels needs more than the limits allow");
-  limits.memory = 476;
+            "drawing 1 surfels into 100 pixels needs more than the limits allow");
+  limits.memory = 484;
   EXPECT_TRUE(render(scene_of(surfels), Camera{}, options, limits).ok());
 }
 

@@ -18,27 +18,30 @@ namespace afx::render {
 inline constexpr Rgba8 kRed{255, 0, 0, 255};
 inline constexpr Rgba8 kBlue{0, 0, 255, 255};
 
-/// Voxels with their colours, which own what a VoxelCloud refers to.
+/// Voxels with their colours.
 struct TestModel {
   unsigned level = 0;
   std::vector<uint64_t> codes;
   std::vector<Rgba8> colours;
 
   [[nodiscard]] VoxelCloud cloud() const {
-    return {.level = level, .codes = codes, .colours = colours, .local_to_world = glm::dmat4(1)};
+    return {VoxelTree::make(level, codes, colours).value(), glm::dmat4(1)};
   }
   [[nodiscard]] Scene scene() const { return {.voxels = {cloud()}}; }
 };
 
-/// Voxels added in any order, sorted in the end.
+/// Voxels added in any order, sorted in the end; of several in one place the first stays.
 class TestModelMaker {
  public:
   explicit TestModelMaker(unsigned level) : level_(level) {}
   void add(Voxel v, Rgba8 colour) { voxels_.emplace_back(codec::morton_code(v), colour); }
 
   TestModel make() {
-    std::sort(voxels_.begin(), voxels_.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(voxels_.begin(), voxels_.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    voxels_.erase(std::unique(voxels_.begin(), voxels_.end(),
+                              [](const auto& a, const auto& b) { return a.first == b.first; }),
+                  voxels_.end());
     TestModel model;
     model.level = level_;
     for (const auto& [code, colour] : voxels_) {

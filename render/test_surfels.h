@@ -5,13 +5,16 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 
 #include "afx/surfels.h"
 #include "render/test_scenes.h"
 
 namespace afx::render {
 
-inline Scene scene_of(const Surfels& surfels) { return {.surfels = {{.surfels = &surfels}}}; }
+inline Scene scene_of(const Surfels& surfels) {
+  return {.surfels = {{.surfels = std::make_shared<Surfels>(surfels)}}};
+}
 
 /// The square |x| <= half, |y| <= half at that z, of n x n pieces.
 inline void add_square(Surfels& surfels, double half, double z, int n, Rgba8 colour) {

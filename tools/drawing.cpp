@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "afx/octree_colours.h"
 #include "afx/surfel_sources.h"
 
 namespace afx::tools {
@@ -43,20 +44,19 @@ std::vector<glm::dvec3> corners_of(const Mesh& mesh) {
 
 }  // namespace
 
-Result<const ColouredVoxels*> Drawing::colour(const OctreeModel& model) {
+Result<std::shared_ptr<const render::VoxelTree>> Drawing::colour(const OctreeModel& model) {
   const unsigned level = std::min(level_, octree_levels(model.resolution));
-  auto coloured = colour_octree(model, level, session_.options.threads, left_, diagnostics_);
-  if (!coloured.ok()) return std::move(coloured).error();
-  voxels_.push_back(std::move(coloured).value());
-  const ColouredVoxels& voxels = voxels_.back();
-  const uint64_t bytes = voxels.codes.size() * (sizeof(uint64_t) + sizeof(Rgba8) + sizeof(uint8_t));
-  left_.memory -= std::min(left_.memory, bytes);
-  return &voxels;
+  const auto coloured = colour_octree(model, level, session_.options.threads, left_, diagnostics_);
+  if (!coloured.ok()) return coloured.error();
+  const ColouredVoxels& voxels = coloured.value();
+  auto tree = render::VoxelTree::make(voxels.level, voxels.codes, voxels.colours);
+  if (tree.ok()) left_.memory -= std::min(left_.memory, tree.value()->bytes());
+  return tree;
 }
 
-void Drawing::keep(Surfels&& surfels) {
+std::shared_ptr<const Surfels> Drawing::keep(Surfels&& surfels) {
   left_.memory -= std::min(left_.memory, surfels.size() * kSurfelBytes);
-  surfels_.push_back(std::move(surfels));
+  return std::make_shared<Surfels>(std::move(surfels));
 }
 
 Status Drawing::add(const LoadedScene& scene) {
@@ -64,16 +64,15 @@ Status Drawing::add(const LoadedScene& scene) {
   if (!models.ok()) return models.error();
   if (Status added = add(models.value()); !added.ok()) return added;
   warn_of_left_out(scene.scene, diagnostics_);
-  if (!voxels_.empty() || !surfels_.empty()) return {};
+  if (!scene_.voxels.empty() || !scene_.surfels.empty()) return {};
   return Error{Errc::malformed, Place::none(),
                "the scene shows nothing to draw (expected a DepthImage or an OctreeImage)"};
 }
 
 Status Drawing::add(const OctreeModel& model, const glm::dmat4& to_world) {
-  const auto coloured = colour(model);
-  if (!coloured.ok()) return coloured.error();
-  const ColouredVoxels& voxels = *coloured.value();
-  scene_.voxels.push_back({voxels.level, voxels.codes, voxels.colours, to_world});
+  const auto tree = colour(model);
+  if (!tree.ok()) return tree.error();
+  scene_.voxels.push_back({tree.value(), to_world});
   return {};
 }
 
@@ -87,8 +86,7 @@ Status Drawing::add(ModelInput&& model, Shade shade) {
   if (const auto* models = std::get_if<std::vector<DibrModel>>(&model)) return add(*models);
   auto surfels = surfels_of_input(std::move(model), session_, diagnostics_);
   if (!surfels.ok()) return std::move(surfels).error();
-  keep(std::move(surfels).value());
-  scene_.surfels.push_back({&surfels_.back(), glm::dmat4(1)});
+  scene_.surfels.push_back({keep(std::move(surfels).value()), glm::dmat4(1)});
   return {};
 }
 
@@ -102,10 +100,8 @@ Status Drawing::add(const std::vector<DibrModel>& models) {
       if (!ready.ok()) return std::move(ready).error();
       at->second = std::move(ready).value();
     }
-    for (render::VoxelCloud cloud : at->second.voxels) {
-      cloud.local_to_world = model.to_world;
-      scene_.voxels.push_back(cloud);
-    }
+    for (const render::VoxelCloud& cloud : at->second.voxels)
+      scene_.voxels.push_back({cloud.tree, model.to_world});
     for (const render::SurfelCloud& cloud : at->second.surfels)
       scene_.surfels.push_back({cloud.surfels, model.to_world});
   }
@@ -115,17 +111,15 @@ Status Drawing::add(const std::vector<DibrModel>& models) {
 Result<render::Scene> Drawing::make_ready(const DibrModel& model) {
   render::Scene scene;
   if (const OctreeModel* octree = model.octree()) {
-    const auto voxels = colour(*octree);
-    if (!voxels.ok()) return voxels.error();
-    scene.voxels.push_back(
-        {voxels.value()->level, voxels.value()->codes, voxels.value()->colours, glm::dmat4(1)});
+    const auto tree = colour(*octree);
+    if (!tree.ok()) return tree.error();
+    scene.voxels.push_back({tree.value(), glm::dmat4(1)});
     return scene;
   }
   for (const DepthImage& image : *model.depth_images()) {
     auto surfels = surfels_of(image, session_.options.threads, left_);
     if (!surfels.ok()) return std::move(surfels).error();
-    keep(std::move(surfels).value());
-    scene.surfels.push_back({&surfels_.back(), glm::dmat4(1)});
+    scene.surfels.push_back({keep(std::move(surfels).value()), glm::dmat4(1)});
   }
   return scene;
 }
@@ -159,7 +153,7 @@ Result<render::RenderedImage> Drawing::draw(const render::Camera& camera,
 
 uint64_t Drawing::voxels() const {
   uint64_t voxels = 0;
-  for (const render::VoxelCloud& cloud : scene_.voxels) voxels += cloud.codes.size();
+  for (const render::VoxelCloud& cloud : scene_.voxels) voxels += cloud.tree->voxels();
   return voxels;
 }
 

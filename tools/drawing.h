@@ -6,13 +6,11 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-#include <list>
 #include <memory>
 #include <vector>
 
 #include "afx/builder/mesh.h"
 #include "afx/builder/mesh_look.h"
-#include "afx/octree_colours.h"
 #include "afx/surfels.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
@@ -23,8 +21,7 @@
 
 namespace afx::tools {
 
-/// What is drawn, with all that it needs: either a mesh, as it is, or splats. Not to be moved:
-/// clouds point into it.
+/// What is drawn: either a mesh, as it is, or splats.
 class Drawing {
  public:
   Drawing(const Session& session, Diagnostics& diagnostics)
@@ -56,11 +53,11 @@ class Drawing {
   [[nodiscard]] uint64_t voxels() const;
 
  private:
-  Result<const ColouredVoxels*> colour(const OctreeModel& model);
+  Result<std::shared_ptr<const render::VoxelTree>> colour(const OctreeModel& model);
   Status add(const std::vector<DibrModel>& models);
   /// The clouds of a shape, in its own coordinates.
   Result<render::Scene> make_ready(const DibrModel& model);
-  void keep(Surfels&& surfels);
+  std::shared_ptr<const Surfels> keep(Surfels&& surfels);
   [[nodiscard]] Result<render::RenderedImage> draw_mesh(const render::Camera& camera,
                                                         const render::RenderOptions& options) const;
 
@@ -68,8 +65,6 @@ class Drawing {
   Diagnostics& diagnostics_;
   unsigned level_ = 32;
   Limits left_;  // of the session's
-  std::list<ColouredVoxels> voxels_;
-  std::list<Surfels> surfels_;
   std::unique_ptr<Mesh> mesh_;
   std::unique_ptr<MeshLook> look_;
   std::vector<glm::dvec3> corners_;  // of the mesh

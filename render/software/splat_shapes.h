@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/surfel_splats.h"
+#include "render/software/lanes.h"
+#include "render/software/splats.h"
+#include "render/software/surfel_splats.h"
 
 namespace afx::render {
 
@@ -16,29 +18,30 @@ struct Run {
   float first, last;
 };
 
-/// A splat at a sample.
+/// A splat at four samples of a row.
 struct Hit {
-  float depth;
-  float out;  ///< 0 in the centre, 1 at the rim
+  Lanes depth;
+  Lanes out;  ///< 0 in the centre, 1 at the rim
 };
 
 /// The disc of a voxel, which bulges towards the viewer.
 struct Disc {
   explicit Disc(const Splat& s)
-      : splat(s), inverse(1 / (s.radius * s.radius)), bend(s.bulge * inverse) {}
+      : splat(s), square(s.radius * s.radius), inverse(1 / square), bend(s.bulge * inverse) {}
 
   [[nodiscard]] Run run(float dy) const {
-    const float half = std::sqrt(std::max(0.0F, splat.radius * splat.radius - dy * dy));
+    const float half = std::sqrt(std::max(0.0F, square - dy * dy));
     return {-half, half};
   }
-  [[nodiscard]] Hit at(float dx, float dy) const {
-    const float d2 = dx * dx + dy * dy;
+  [[nodiscard]] Hit at(Lanes dx, float dy) const {
+    const Lanes d2 = dx * dx + dy * dy;
     return {splat.depth + bend * d2, d2 * inverse};
   }
 
   static constexpr float weight = 1;  // of its centre, in mixing
   const Splat& splat;
-  float inverse;  // of the square of the radius
+  float square;  // of the radius
+  float inverse;
   float bend;
 };
 
@@ -64,12 +67,12 @@ class Parallelogram {
     }
     return run;
   }
-  [[nodiscard]] Hit at(float dx, float dy) const {
-    const float deeper = slant_.depth_x * dx + slant_.depth_y * dy;
-    const float k = 1 / std::max(kLeastPart, 1 - slant_.nearness * deeper);
-    const float s = k * (slant_.s_x * dx + slant_.s_y * dy);
-    const float t = k * (slant_.t_x * dx + slant_.t_y * dy);
-    return {splat.depth + k * deeper, std::max(s * s, t * t)};
+  [[nodiscard]] Hit at(Lanes dx, float dy) const {
+    const Lanes deeper = slant_.depth_x * dx + slant_.depth_y * dy;
+    const Lanes k = 1 / most(all(kLeastPart), 1 - slant_.nearness * deeper);
+    const Lanes s = k * (slant_.s_x * dx + slant_.s_y * dy);
+    const Lanes t = k * (slant_.t_x * dx + slant_.t_y * dy);
+    return {splat.depth + k * deeper, most(s * s, t * t)};
   }
 
   const Splat& splat;

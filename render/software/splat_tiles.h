@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// Which splats touch which tile of the picture.
+// Which surfels touch which tile of the picture.
 #pragma once
 
 #include <cstddef>
@@ -10,42 +10,34 @@
 #include <span>
 #include <vector>
 
-#include "render/surfel_splats.h"
+#include "render/software/surfel_splats.h"
+#include "render/software/tile_samples.h"
 
 namespace afx::render {
 
-/// The side of a tile in pixels.
-inline constexpr uint32_t kTile = 32;
-
-/// All splats of a picture, sorted into square cells. The cells of level 0 are the tiles, those of
-/// level n are 2^n tiles wide; at the top one cell holds the whole picture. A splat lies in the
-/// finest level whose cells are as wide as it is, there in the one to four cells that it touches:
-/// so large splats cost no more memory than small ones, and tiles they are far from do not see
-/// them. Within a cell splats keep their order in the scene; so what is drawn does not depend on
-/// threads.
+/// The splats of all surfels in a picture, sorted into square cells. The cells of level 0 are the
+/// tiles, those of level n are 2^n tiles wide; at the top one cell holds the whole picture. A splat
+/// lies in the finest level whose cells are as wide as it is, there in the one to four cells that
+/// it touches: so large splats cost no more memory than small ones, and tiles they are far from do
+/// not see them. Within a cell splats keep their order in the scene; so what is drawn does not
+/// depend on threads.
 class SplatTiles {
  public:
-  /// scene, camera, options   checked; fewer than 2^30 voxels and surfels in all
-  SplatTiles(const Scene& scene, const Camera& camera, const RenderOptions& options);
+  /// clouds, options   checked; fewer than 2^30 surfels in all
+  SplatTiles(std::span<const SurfelCloud> clouds, const Lens& lens, const RenderOptions& options);
 
-  [[nodiscard]] uint32_t columns() const { return columns_; }
-  [[nodiscard]] uint32_t rows() const { return rows_; }
   [[nodiscard]] uint32_t levels() const { return static_cast<uint32_t>(grids_.size()); }
   /// Numbers of the splats of a level in the cell around a tile. Together the levels hold every
   /// splat that touches the tile, each once; at levels above 0 also some that do not.
   [[nodiscard]] std::span<const uint32_t> around(uint32_t level, uint32_t column,
                                                  uint32_t row) const;
   [[nodiscard]] const Splat& splat(uint32_t number) const { return splats_[number]; }
-  /// Of a splat that is a parallelogram; null of one that is a disc.
-  [[nodiscard]] const Slant* slant(uint32_t number) const {
-    return number < first_slant_ ? nullptr : &slants_[number - first_slant_];
-  }
+  [[nodiscard]] const Slant& slant(uint32_t number) const { return slants_[number]; }
 
  private:
-  /// A run of voxels or surfels that one task projects. Its splats begin at the number of the first
-  /// one.
+  /// A run of surfels that one task projects. Its splats begin at the number of the first one.
   struct Chunk {
-    size_t cloud = 0;  // clouds of voxels, then of surfels
+    size_t cloud = 0;
     size_t first = 0;  // in its cloud
     size_t count = 0;
     size_t first_splat = 0;
@@ -59,22 +51,20 @@ class SplatTiles {
     size_t first;  // the number of its first cell among all
   };
 
-  void make_grids(float tile);
-  void make_chunks(const Scene& scene);
+  void make_grids(const TileGrid& tiles, unsigned samples);
+  void make_chunks(std::span<const SurfelCloud> clouds);
   void add_chunks(size_t cloud, size_t count, size_t first_splat);
-  void project(const Scene& scene, const Lens& lens, const RenderOptions& options);
+  void project(std::span<const SurfelCloud> clouds, const Lens& lens, const RenderOptions& options);
   void count_chunk(Chunk& chunk);
   void place_chunks();
   void fill_chunk(Chunk& chunk);
   template <class Visit>
   void for_cells(const Splat& splat, const Visit& visit) const;
 
-  uint32_t columns_, rows_;
   std::vector<Grid> grids_;  // by level
   size_t cells_ = 0;         // of all levels
   std::unique_ptr<Splat[]> splats_;
   std::unique_ptr<Slant[]> slants_;
-  size_t first_slant_ = 0;  // the number of the splat that has the first
   std::vector<Chunk> chunks_;
   std::vector<uint32_t> starts_;  // of each cell in entries_, and the end
   std::vector<uint32_t> entries_;

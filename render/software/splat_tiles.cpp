@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
-#include "render/splat_tiles.h"
+#include "render/software/splat_tiles.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace afx::render {
 namespace {
 
 constexpr size_t kMostChunks = 64;     // of a cloud; each holds a counter for each cell
-constexpr size_t kLeastChunk = 16384;  // voxels or surfels
+constexpr size_t kLeastChunk = 16384;  // surfels
 
 uint32_t cell_at(float place, float side, uint32_t count) {
   return static_cast<uint32_t>(std::clamp(place / side, 0.0F, static_cast<float>(count - 1)));
@@ -18,19 +18,19 @@ uint32_t cell_at(float place, float side, uint32_t count) {
 
 }  // namespace
 
-SplatTiles::SplatTiles(const Scene& scene, const Camera& camera, const RenderOptions& options)
-    : columns_((options.width + kTile - 1) / kTile), rows_((options.height + kTile - 1) / kTile) {
-  make_grids(static_cast<float>(kTile * options.samples));
-  make_chunks(scene);
-  project(scene, Lens(camera, options), options);
+SplatTiles::SplatTiles(std::span<const SurfelCloud> clouds, const Lens& lens,
+                       const RenderOptions& options) {
+  make_grids(TileGrid(options), options.samples);
+  make_chunks(clouds);
+  project(clouds, lens, options);
   place_chunks();
   parallel_for(chunks_.size(), options.threads, [&](size_t i) { fill_chunk(chunks_[i]); });
   chunks_.clear();
 }
 
-void SplatTiles::make_grids(float tile) {
-  uint32_t columns = columns_, rows = rows_;
-  for (float side = tile;; side *= 2) {
+void SplatTiles::make_grids(const TileGrid& tiles, unsigned samples) {
+  uint32_t columns = tiles.columns, rows = tiles.rows;
+  for (auto side = static_cast<float>(tiles.side * samples);; side *= 2) {
     grids_.push_back({side, columns, rows, cells_});
     cells_ += size_t{columns} * rows;
     if (columns == 1 && rows == 1) return;
@@ -51,36 +51,26 @@ void SplatTiles::add_chunks(size_t cloud, size_t count, size_t first_splat) {
   }
 }
 
-void SplatTiles::make_chunks(const Scene& scene) {
-  size_t cloud = 0, total = 0;
-  for (const VoxelCloud& voxels : scene.voxels) {
-    add_chunks(cloud++, voxels.codes.size(), total);
-    total += voxels.codes.size();
-  }
-  first_slant_ = total;
-  for (const SurfelCloud& surfels : scene.surfels) {
-    add_chunks(cloud++, surfels.surfels->size(), total);
-    total += surfels.surfels->size();
+void SplatTiles::make_chunks(std::span<const SurfelCloud> clouds) {
+  size_t total = 0;
+  for (size_t i = 0; i < clouds.size(); ++i) {
+    add_chunks(i, clouds[i].surfels->size(), total);
+    total += clouds[i].surfels->size();
   }
   splats_ = std::make_unique_for_overwrite<Splat[]>(total);
-  slants_ = std::make_unique_for_overwrite<Slant[]>(total - first_slant_);
+  slants_ = std::make_unique_for_overwrite<Slant[]>(total);
 }
 
 /// Fills the chunks with splats, and counts those of each cell.
-void SplatTiles::project(const Scene& scene, const Lens& lens, const RenderOptions& options) {
-  std::vector<SplatProjection> voxels;
-  std::vector<SurfelProjection> surfels;
-  for (const VoxelCloud& cloud : scene.voxels) voxels.emplace_back(cloud, lens, options);
-  for (const SurfelCloud& cloud : scene.surfels) surfels.emplace_back(cloud, lens, options);
+void SplatTiles::project(std::span<const SurfelCloud> clouds, const Lens& lens,
+                         const RenderOptions& options) {
+  std::vector<SurfelProjection> projections;
+  for (const SurfelCloud& cloud : clouds) projections.emplace_back(cloud, lens, options);
   parallel_for(chunks_.size(), options.threads, [&](size_t i) {
     Chunk& chunk = chunks_[i];
     const std::span<Splat> out(splats_.get() + chunk.first_splat, chunk.count);
-    if (chunk.cloud < voxels.size()) {
-      chunk.splats = voxels[chunk.cloud].project(chunk.first, out);
-    } else {
-      const std::span<Slant> slants(slants_.get() + chunk.first_splat - first_slant_, chunk.count);
-      chunk.splats = surfels[chunk.cloud - voxels.size()].project(chunk.first, out, slants);
-    }
+    const std::span<Slant> slants(slants_.get() + chunk.first_splat, chunk.count);
+    chunk.splats = projections[chunk.cloud].project(chunk.first, out, slants);
     count_chunk(chunk);
   });
 }

@@ -12,7 +12,7 @@
 
 #include "render/lens.h"
 #include "render/scene.h"
-#include "render/splats.h"
+#include "render/software/splats.h"
 
 namespace afx::render {
 
@@ -34,7 +34,7 @@ struct Slant {
 /// Projects the surfels of one cloud for one camera and size of picture. Their sides are made
 /// longer by kSurfelMargin and RenderOptions::splat_scale, and a parallelogram that is narrower on
 /// the screen than a sample's diagonal is made as wide as that; its depths stay those of the
-/// surfel.
+/// surfel. Of SplatKind::points all are as small as that.
 class SurfelProjection {
  public:
   /// cloud, options   checked
@@ -62,6 +62,7 @@ class SurfelProjection {
   const Surfels& surfels_;
   const Lens& lens_;
   double scale_;
+  double tolerance_;
   glm::dmat3 axes_;    // local directions to the camera's system
   glm::dvec3 origin_;  // of the local system, in the camera's
 };

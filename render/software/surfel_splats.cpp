@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
-#include "render/surfel_splats.h"
+#include "render/software/surfel_splats.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
+
+#include "afx/srgb.h"
 
 namespace afx::render {
 namespace {
@@ -42,7 +44,8 @@ SurfelProjection::SurfelProjection(const SurfelCloud& cloud, const Lens& lens,
                                    const RenderOptions& options)
     : surfels_(*cloud.surfels),
       lens_(lens),
-      scale_(options.splat_scale * kSurfelMargin),
+      scale_(options.splats == SplatKind::points ? 0 : options.splat_scale * kSurfelMargin),
+      tolerance_(options.splats == SplatKind::smooth ? kTolerance : 0),
       axes_(lens.to_view * glm::dmat3(cloud.local_to_world)),
       origin_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)) {}
 
@@ -92,7 +95,7 @@ bool SurfelProjection::project_surfel(size_t number, Splat& splat, Slant& slant)
   splat.depth = static_cast<float>(depth);
   splat.bulge = 0;
   const Proportions proportions = proportions_of(side_u, side_v);
-  splat.tolerance = static_cast<float>(kTolerance * proportions.shorter);
+  splat.tolerance = static_cast<float>(tolerance_ * proportions.shorter);
   slant.weight = static_cast<float>(std::max(proportions.squareness, kLeastSquareness));
   const glm::dvec2 s(v.offset.y / area, -v.offset.x / area);
   const glm::dvec2 t(-u.offset.y / area, u.offset.x / area);
@@ -114,7 +117,7 @@ size_t SurfelProjection::project(size_t first, std::span<Splat> out,
     Splat splat;
     if (surfels_.colours[i].a < kLeastOpacity) continue;
     if (!project_surfel(i, splat, slants[count])) continue;
-    splat.colour = surfels_.colours[i];
+    splat.light = glm::vec3(linear_light(surfels_.colours[i]));
     out[count++] = splat;
   }
   return count;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "render/software/frame.h"
+
+namespace afx::render {
+
+Frame::Frame(const Scene& the_scene, const Camera& camera, const RenderOptions& the_options)
+    : scene(the_scene),
+      options(the_options),
+      lens(camera, options),
+      grid(options),
+      surfels(scene.surfels, lens, options) {
+  octrees.reserve(scene.voxels.size());
+  for (const VoxelCloud& cloud : scene.voxels) octrees.emplace_back(cloud, lens, options);
+}
+
+}  // namespace afx::render

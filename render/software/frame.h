@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#pragma once
+
+#include <vector>
+
+#include "render/lens.h"
+#include "render/renderer.h"
+#include "render/scene.h"
+#include "render/software/octree_view.h"
+#include "render/software/splat_tiles.h"
+#include "render/software/tile_samples.h"
+
+namespace afx::render {
+
+/// What all tiles of one picture share.
+struct Frame {
+  /// All checked; they must outlive it.
+  Frame(const Scene& the_scene, const Camera& camera, const RenderOptions& the_options);
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+
+  const Scene& scene;
+  const RenderOptions& options;
+  Lens lens;
+  TileGrid grid;
+  std::vector<OctreeView> octrees;
+  SplatTiles surfels;
+};
+
+}  // namespace afx::render

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// The nodes of an octree that can be seen in a tile, from its breadth-first bytes, near to far.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/software/octree_view.h"
+#include "render/software/splats.h"
+#include "render/software/tile_samples.h"
+
+namespace afx::render {
+
+/// Walks one octree after another. Subtrees that lie beside the tile are passed over, and those
+/// that are hidden by what the tile already shows: so the nearer halves of each node come first.
+/// What is passed over cannot change the picture.
+class OctreeWalk {
+ public:
+  /// Calls emit(splat) for the nodes to be drawn. It may draw them into `tile` at once.
+  template <class Emit>
+  void run(const OctreeView& view, TileSamples& tile, const Emit& emit) {
+    if (view.tree().voxels() == 0) return;
+    begin(view, tile);
+    if (view.last_level() == 0) return emit_root(view, emit);
+    push(view, 0, 0, view.root());
+    while (!stack_.empty()) {
+      const Entry node = stack_.back();
+      stack_.pop_back();
+      if (is_hidden(node, tile)) continue;
+      visit(view, node, emit);
+    }
+  }
+
+ private:
+  struct Entry {
+    glm::dvec3 centre;
+    OctreeView::Bound bound;
+    uint32_t number;
+    uint32_t level;
+  };
+
+  void begin(const OctreeView& view, const TileSamples& tile);
+  /// Puts a node onto the stack if its discs may touch the tile.
+  void push(const OctreeView& view, unsigned level, uint32_t number, const glm::dvec3& centre);
+  static bool is_hidden(const Entry& node, TileSamples& tile);
+  [[nodiscard]] bool touches(float x, float y, float reach) const {
+    return std::abs(x - middle_x_) <= reach + half_ && std::abs(y - middle_y_) <= reach + half_;
+  }
+
+  template <class Emit>
+  void visit(const OctreeView& view, const Entry& node, const Emit& emit) {
+    const VoxelTree::Branch branch = view.tree().branches(node.level)[node.number];
+    const unsigned level = node.level + 1;
+    if (view.is_last(level, node.centre)) {
+      view.project(node.centre, level, discs_);
+      if (level < view.tree().level()) weights_ = view.side_weights(node.centre);
+      return for_children(branch, 0, [&](unsigned i, uint32_t number) {
+        this->emit_disc(view, level, i, number, emit);
+      });
+    }
+    const OctreeView::Size& size = view.size(level);
+    for_children(branch, 7, [&](unsigned i, uint32_t number) {
+      this->push(view, level, number, node.centre + size.offsets[i]);
+    });
+  }
+
+  /// Visits the children that are there with their numbers, those nearest to the viewer first, or
+  /// with flip = 7 last.
+  template <class Visit>
+  void for_children(VoxelTree::Branch branch, unsigned flip, const Visit& visit) const {
+    for (unsigned k = 0; k < 8; ++k) {
+      const unsigned i = nearest_ ^ flip ^ k;
+      const unsigned bit = 1U << i;
+      if ((branch.symbol & bit) == 0) continue;
+      visit(i,
+            branch.first_child + static_cast<uint32_t>(std::popcount(branch.symbol & (bit - 1))));
+    }
+  }
+
+  template <class Emit>
+  void emit_disc(const OctreeView& view, unsigned level, unsigned i, uint32_t number,
+                 const Emit& emit) const {
+    if (discs_.radius[i] < 0 || !touches(discs_.x[i], discs_.y[i], discs_.radius[i])) return;
+    const OctreeView::Size& size = view.size(level);
+    emit(Splat{discs_.x[i], discs_.y[i], discs_.radius[i], discs_.depth[i], size.bulge,
+               size.tolerance, view.light(level, number, weights_)});
+  }
+
+  template <class Emit>
+  void emit_root(const OctreeView& view, const Emit& emit) {
+    view.project_one(view.root(), 0, discs_);
+    weights_ = view.side_weights(view.root());
+    emit_disc(view, 0, 0, 0, emit);
+  }
+
+  std::vector<Entry> stack_;
+  EightDiscs discs_;
+  OctreeView::SideWeights weights_{};
+  unsigned nearest_ = 0;
+  float middle_x_ = 0, middle_y_ = 0, half_ = 0;  // of the tile, in samples
+};
+
+}  // namespace afx::render

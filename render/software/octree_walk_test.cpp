@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// What the walk passes over cannot be seen: held against drawing every node of the last level.
+#include "render/software/octree_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+#include "render/software/frame.h"
+#include "render/software/splat_painter.h"
+#include "render/test_scenes.h"
+
+namespace afx::render {
+namespace {
+
+/// All splats of a tree in the order of the walk, whether they can be seen or not.
+class PlainWalk {
+ public:
+  PlainWalk(const OctreeView& view, const glm::dvec3& ray)
+      : view_(view), nearest_(view.nearest_child(ray)) {
+    visit(0, 0, view.root());
+  }
+  std::vector<Splat> splats;
+
+ private:
+  void visit(unsigned level, uint32_t number, const glm::dvec3& centre) {
+    const VoxelTree::Branch branch = view_.tree().branches(level)[number];
+    const bool last = view_.is_last(level + 1, centre);
+    EightDiscs discs;
+    view_.project(centre, level + 1, discs);
+    const OctreeView::SideWeights weights = view_.side_weights(centre);
+    for (unsigned k = 0; k < 8; ++k) {
+      const unsigned i = nearest_ ^ k;
+      if ((branch.symbol >> i & 1U) == 0) continue;
+      const unsigned before = branch.symbol & ((1U << i) - 1);
+      const uint32_t child = branch.first_child + static_cast<uint32_t>(std::popcount(before));
+      const OctreeView::Size& size = view_.size(level + 1);
+      if (!last) {
+        visit(level + 1, child, centre + size.offsets[i]);
+      } else if (discs.radius[i] > 0) {
+        splats.push_back({discs.x[i], discs.y[i], discs.radius[i], discs.depth[i], size.bulge,
+                          size.tolerance, view_.light(level + 1, child, weights)});
+      }
+    }
+  }
+
+  const OctreeView& view_;
+  unsigned nearest_;
+};
+
+/// The same for the whole tile: a copy of the ray that the walk takes for its order.
+glm::dvec3 ray_of(const Frame& frame, const TileSamples& tile) {
+  if (!frame.lens.perspective) return {0, 0, -1};
+  const double half = static_cast<double>(tile.side) / 2;
+  return {(static_cast<double>(tile.left) + half - frame.lens.middle.x) / frame.lens.focal,
+          (frame.lens.middle.y - static_cast<double>(tile.top) - half) / frame.lens.focal, -1};
+}
+
+struct Counts {
+  size_t all = 0, walked = 0;
+};
+
+/// Draws every tile in both ways and expects the same sums, bit for bit.
+Counts expect_equal(const Scene& scene, const Camera& camera, const RenderOptions& options) {
+  const Frame frame(scene, camera, options);
+  TileSamples walked(frame.grid, options), plain(frame.grid, options);
+  OctreeWalk walk;
+  Counts counts;
+  for (uint32_t tile = 0; tile < frame.grid.columns * frame.grid.rows; ++tile) {
+    std::vector<Splat> all, seen;
+    walked.clear(tile % frame.grid.columns, tile / frame.grid.columns);
+    plain.clear(tile % frame.grid.columns, tile / frame.grid.columns);
+    for (const OctreeView& view : frame.octrees) {
+      for (const Splat& splat : PlainWalk(view, ray_of(frame, plain)).splats) all.push_back(splat);
+      walk.run(view, walked, [&](const Splat& splat) {
+        if (lay_depth(Disc(splat), walked)) seen.push_back(splat);
+      });
+    }
+    for (const Splat& splat : all) lay_depth(Disc(splat), plain);
+    for (const Splat& splat : all) lay_colour(Disc(splat), plain);
+    for (const Splat& splat : seen) lay_colour(Disc(splat), walked);
+    EXPECT_EQ(walked.depths, plain.depths) << tile;
+    EXPECT_EQ(walked.sum_weight, plain.sum_weight) << tile;
+    EXPECT_EQ(walked.sum_r, plain.sum_r) << tile;
+    EXPECT_EQ(walked.sum_b, plain.sum_b) << tile;
+    counts.all += all.size();
+    counts.walked += seen.size();
+  }
+  return counts;
+}
+
+TestModel two_spheres(unsigned level) {
+  TestModelMaker maker(level);
+  std::minstd_rand random(1);
+  add_sphere(maker, level, 0.45, kRed);
+  add_sphere(maker, level, 0.3, kBlue);
+  TestModel model = maker.make();
+  for (Rgba8& colour : model.colours) colour.g = static_cast<uint8_t>(random() & 0xff);
+  return model;
+}
+
+TEST(OctreeWalk, WhatIsPassedOverCannotBeSeen) {
+  const Scene scene = two_spheres(6).scene();
+  for (const glm::dvec3& direction : directions(6)) {
+    for (const double distance : {0.2, 0.47, 0.9, 3.0, 40.0}) {
+      for (const unsigned samples : {1U, 3U}) {
+        Camera camera = looking_at_origin(direction, distance);
+        const RenderOptions options{.width = 130, .height = 97, .samples = samples};
+        expect_equal(scene, camera, options);
+        camera.projection = Projection::orthographic;
+        camera.view_height = distance;
+        expect_equal(scene, camera, options);
+      }
+    }
+  }
+}
+
+TEST(OctreeWalk, CloudsHideEachOtherAndStretchedOnesToo) {
+  const TestModel model = two_spheres(5);
+  Scene scene;
+  scene.voxels = {model.cloud(), model.cloud(), model.cloud()};
+  scene.voxels[1].local_to_world[3] = {0.3, 0.1, 0.5, 1};
+  scene.voxels[2].local_to_world[0] = {3, 0.5, 0, 0};
+  scene.voxels[2].local_to_world[1] = {-0.2, 0.1, 0.7, 0};
+  for (const glm::dvec3& direction : directions(5)) {
+    for (const SplatKind kind : {SplatKind::smooth, SplatKind::flat, SplatKind::points}) {
+      const RenderOptions options{.width = 150, .height = 90, .splats = kind, .samples = 2};
+      expect_equal(scene, looking_at_origin(direction, 2.5), options);
+    }
+  }
+}
+
+TEST(OctreeWalk, MostOfWhatIsHiddenIsNotLookedAt) {
+  TestModelMaker maker(5);  // a solid cube
+  for (uint32_t k = 0; k < 32 * 32 * 32; ++k) maker.add({k % 32, k / 32 % 32, k / 1024}, kRed);
+  const Scene scene = maker.make().scene();
+  Camera camera = looking_at_origin({0, 0, 1}, 2);
+  camera.projection = Projection::orthographic;
+  camera.view_height = 1.2;
+  const Counts counts =
+      expect_equal(scene, camera, {.width = 64, .height = 64, .samples = 1, .threads = 1});
+  EXPECT_EQ(counts.all, 32U * 32 * 32);
+  EXPECT_LT(counts.walked, 32U * 32 * 8);  // the first layers of 32
+}
+
+}  // namespace
+}  // namespace afx::render

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "render/renderer.h"
+#include "render/software/frame.h"
+#include "render/software/octree_walk.h"
+#include "render/software/tile_samples.h"
+
+namespace afx::render {
+
+/// Draws one tile after another, at n x n samples a pixel. For one thread; holds 36 bytes a
+/// sample, 4 for each surfel and 32 for each voxel that touches the tile.
+class TilePainter {
+ public:
+  explicit TilePainter(const Frame& frame) : frame_(frame), samples_(frame.grid, frame.options) {}
+
+  /// Draws a tile into its part of the image.
+  void paint(uint32_t column, uint32_t row, RenderedImage& image);
+
+ private:
+  void collect_surfels(uint32_t column, uint32_t row);
+  void lay_octrees();
+  void finish_samples();
+  void resolve(uint32_t x, uint32_t y, RenderedImage& image) const;
+  void resolve_pixel(size_t first, uint8_t* pixel, float* depth) const;
+
+  const Frame& frame_;
+  TileSamples samples_;
+  OctreeWalk walk_;
+  std::vector<uint32_t> surfels_;  // numbers of those of the tile
+  std::vector<Splat> voxels_;      // those of the tile that may be seen
+};
+
+}  // namespace afx::render

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// A picture is drawn tile by tile; what one tile holds while it is drawn.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "render/renderer.h"
+
+namespace afx::render {
+
+/// The square tiles of a picture, row by row from the upper left corner.
+struct TileGrid {
+  explicit TileGrid(const RenderOptions& options)
+      : side(options.samples == 1 ? 64 : 32),
+        columns((options.width + side - 1) / side),
+        rows((options.height + side - 1) / side) {}
+
+  uint32_t side;  ///< of a tile, in pixels: small enough for its samples to stay in the cache
+  uint32_t columns, rows;
+};
+
+inline constexpr float kFar = std::numeric_limits<float>::infinity();
+
+/// The samples of a tile, row by row. Depths are distances to the plane through the camera, colours
+/// linear light.
+class TileSamples {
+ public:
+  /// For tiles of that grid. Lists have room for kPadding more than the samples.
+  TileSamples(const TileGrid& grid, const RenderOptions& options);
+
+  /// Begins a tile.
+  void clear(uint32_t column, uint32_t row);
+
+  /// Whether all samples of a rectangle (in samples from the tile's corner, clipped to the tile)
+  /// are nearer than `depth`. May say no where it is so, never yes where it is not. The depths must
+  /// only sink from call to call.
+  [[nodiscard]] bool hides(float x0, float y0, float x1, float y1, float depth);
+  /// To be called when depths of that rectangle of samples may have changed; the ends are beyond
+  /// it.
+  void touch(size_t x0, size_t y0, size_t x1, size_t y1);
+
+  static constexpr size_t kPadding = 4;
+
+  size_t side;                                ///< samples along a side
+  float left = 0, top = 0;                    ///< of the tile in the picture, in samples
+  std::vector<float> depths;                  ///< of the nearest thing, infinite where none is
+  std::vector<float> walls;                   ///< of the nearest opaque shape
+  std::vector<float> wall_r, wall_g, wall_b;  ///< its colour
+  std::vector<float> sum_r, sum_g, sum_b, sum_weight;  ///< of splats: weighted sums
+  bool has_walls = false;  ///< else `walls` and their colours are not kept
+
+ private:
+  static constexpr size_t kBlock = 8;  // samples along a side
+  struct Block {
+    float farthest;
+    bool changed;
+  };
+  [[nodiscard]] float farthest(size_t column, size_t row);
+
+  size_t blocks_;  // along a side
+  std::vector<Block> farthest_;
+};
+
+}  // namespace afx::render

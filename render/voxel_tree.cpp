@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "render/voxel_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "afx/srgb.h"
+#include "codec/octree_voxels.h"
+
+namespace afx::render {
+namespace {
+
+constexpr uint64_t kMostVoxels = uint64_t{1} << 31;
+
+/// What is seen of a node from one side: light, times the part of its face that is covered.
+struct Seen {
+  glm::vec3 light{0};
+  float covered = 0;
+};
+using SeenSides = std::array<Seen, 6>;
+
+/// The nodes of one level, from which those of the level above are made.
+struct Level {
+  std::vector<uint64_t> codes;
+  std::vector<SeenSides> seen;  // empty: voxels, which look the same from all sides
+};
+
+Error bad(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
+
+Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rgba8> colours) {
+  if (level > codec::kMortonLevels) {
+    return bad("voxels of level " + std::to_string(level) + " (expected at most " +
+               std::to_string(codec::kMortonLevels) + ")");
+  }
+  if (codes.size() != colours.size()) {
+    return bad(std::to_string(codes.size()) + " voxels with " + std::to_string(colours.size()) +
+               " colours (expected as many)");
+  }
+  if (codes.size() >= kMostVoxels) {
+    return bad(std::to_string(codes.size()) + " voxels (expected fewer than 2^31)");
+  }
+  const auto unsorted = std::adjacent_find(codes.begin(), codes.end(), std::greater_equal<>());
+  if (unsorted != codes.end()) {
+    return bad("voxel " + std::to_string(unsorted - codes.begin()) +
+               " does not come before the one after it (expected ascending codes)");
+  }
+  if (!codes.empty() && codes.back() >> (3 * level) != 0) {
+    return bad("a voxel lies outside of the cube of level " + std::to_string(level));
+  }
+  return {};
+}
+
+/// The nearer one before the other.
+Seen over(const Seen& near, const Seen& far) {
+  const float open = 1 - near.covered;
+  return {near.light + open * far.light, near.covered + open * far.covered};
+}
+
+/// A node from one side, from its children: four columns of two.
+Seen seen_from(int side, const std::array<SeenSides, 8>& children) {
+  const unsigned axis = 1U << (side / 2);
+  Seen sum;
+  for (unsigned low = 0; low < 8; ++low) {
+    if ((low & axis) != 0) continue;
+    const unsigned near = side % 2 == 0 ? low | axis : low;
+    const auto at = static_cast<size_t>(side);
+    const Seen column = over(children[near][at], children[near ^ axis][at]);
+    sum.light += column.light / 4.0F;
+    sum.covered += column.covered / 4;
+  }
+  return sum;
+}
+
+SeenSides seen_of_voxel(Rgba8 colour) {
+  SeenSides seen;
+  seen.fill({glm::vec3(linear_light(colour)), 1});
+  return seen;
+}
+
+/// The nodes above those of `below`, and their branches.
+Level parents(const Level& below, std::span<const Rgba8> colours,
+              std::vector<VoxelTree::Branch>& branches) {
+  Level level;
+  for (size_t i = 0; i < below.codes.size();) {
+    const uint64_t code = below.codes[i] >> 3;
+    std::array<SeenSides, 8> children{};
+    VoxelTree::Branch branch{static_cast<uint32_t>(i), 0};
+    for (; i < below.codes.size() && below.codes[i] >> 3 == code; ++i) {
+      const unsigned child = below.codes[i] & 7;
+      branch.symbol |= static_cast<uint8_t>(1U << child);
+      children[child] = below.seen.empty() ? seen_of_voxel(colours[i]) : below.seen[i];
+    }
+    SeenSides seen;
+    for (int side = 0; side < 6; ++side)
+      seen[static_cast<size_t>(side)] = seen_from(side, children);
+    level.codes.push_back(code);
+    level.seen.push_back(seen);
+    branches.push_back(branch);
+  }
+  return level;
+}
+
+std::vector<VoxelTree::Sides> colours_of(const Level& level) {
+  std::vector<VoxelTree::Sides> colours(level.seen.size());
+  for (size_t i = 0; i < colours.size(); ++i) {
+    for (size_t side = 0; side < 6; ++side) {
+      const Seen& seen = level.seen[i][side];
+      colours[i].from[side] = to_srgb(glm::dvec3(seen.light / seen.covered));
+    }
+  }
+  return colours;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const VoxelTree>> VoxelTree::make(unsigned level,
+                                                         std::span<const uint64_t> codes,
+                                                         std::span<const Rgba8> colours) {
+  if (Status s = check(level, codes, colours); !s.ok()) return s.error();
+  const std::shared_ptr<VoxelTree> tree(new VoxelTree);
+  tree->branches_.resize(level);
+  tree->sides_.resize(level);
+  tree->colours_.assign(colours.begin(), colours.end());
+  for (Rgba8& colour : tree->colours_) colour.a = 255;
+  Level nodes{{codes.begin(), codes.end()}, {}};
+  for (unsigned at = level; at-- > 0;) {
+    nodes = parents(nodes, colours, tree->branches_[at]);
+    tree->branches_[at].shrink_to_fit();
+    tree->sides_[at] = colours_of(nodes);
+  }
+  return std::shared_ptr<const VoxelTree>(tree);
+}
+
+std::vector<uint64_t> VoxelTree::codes(unsigned level) const {
+  std::vector<uint64_t> codes;
+  if (voxels() > 0) codes.push_back(0);
+  for (unsigned at = 0; at < level; ++at) {
+    std::vector<uint64_t> next;
+    next.reserve(nodes(at + 1));
+    for (size_t i = 0; i < codes.size(); ++i) {
+      for (unsigned symbol = branches_[at][i].symbol; symbol != 0; symbol &= symbol - 1)
+        next.push_back(codes[i] << 3 | static_cast<unsigned>(std::countr_zero(symbol)));
+    }
+    codes = std::move(next);
+  }
+  return codes;
+}
+
+uint64_t VoxelTree::bytes() const {
+  uint64_t bytes = colours_.size() * sizeof(Rgba8);
+  for (const auto& level : branches_) bytes += level.size() * sizeof(Branch);
+  for (const auto& level : sides_) bytes += level.size() * sizeof(Sides);
+  return bytes;
+}
+
+}  // namespace afx::render
