@@ -41,9 +41,10 @@ struct RenderOptions {
   double splat_scale = 1.05;
   /// Octrees are not drawn finer than this level.
   unsigned finest_level = 32;
-  /// Nodes of an octree are drawn as wholes where their side is not more than so many samples.
-  /// 0..8; 0: always the finest level
-  double coarseness = 1;
+  /// Nodes of an octree are drawn as wholes where their side is not more than so many samples: by
+  /// default those of the level whose side is nearest to one sample, on a scale of doublings. 0..8;
+  /// 0: always the finest level
+  double coarseness = 1.41421356;
   unsigned samples = 3;  ///< n x n samples in each pixel, 1..8: smoothness of the edges
   bool depth = false;    ///< fill RenderedImage::depth
   unsigned threads = 0;  ///< 0 = all cores; the picture is the same for any number

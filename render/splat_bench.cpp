@@ -24,12 +24,23 @@ void draw(benchmark::State& state, const Scene& scene, size_t splats) {
   state.counters["splats"] = static_cast<double>(splats);
 }
 
-/// A full sphere shell, about 880,000 voxels, filling a picture of 1024 x 1024.
+TestModel sphere(unsigned level) {
+  TestModelMaker maker(level);
+  add_sphere(maker, level, 0.423, {200, 150, 90, 255});
+  return maker.make();
+}
+
+/// A full sphere shell of a 512 model, about 880,000 voxels, filling a picture of 1024 x 1024.
 /// Arguments: samples each way, threads.
 void draw_sphere(benchmark::State& state) {
-  TestModelMaker maker(9);
-  add_sphere(maker, 9, 0.423, {200, 150, 90, 255});
-  const TestModel model = maker.make();
+  const TestModel model = sphere(9);
+  draw(state, model.scene(), model.codes.size());
+}
+
+/// The same as models of 256 to 2048, one sample a pixel, one thread: the number of voxels grows
+/// four times from each to the next, the picture stays. Argument: the level.
+void draw_sphere_of_level(benchmark::State& state) {
+  const TestModel model = sphere(static_cast<unsigned>(state.range(2)));
   draw(state, model.scene(), model.codes.size());
 }
 
@@ -46,6 +57,10 @@ void arguments(benchmark::internal::Benchmark* bench) {
 }
 BENCHMARK(draw_sphere)->Apply(arguments);
 BENCHMARK(draw_surfel_sphere)->Apply(arguments);
+BENCHMARK(draw_sphere_of_level)
+    ->ArgsProduct({{1}, {1}, {8, 9, 10, 11}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace afx::render

@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// Four samples at once. The vectors of g++ and clang: SSE on x86-64, NEON on ARM, plain code
-// elsewhere; each lane is reckoned as a float by itself, so the results are the same everywhere.
+// Eight samples at once, by the vectors of g++ and clang: one register with AVX, two with SSE or
+// NEON. Each lane is reckoned as a float by itself, so the results are the same everywhere.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
+/// For what is compiled once for each kind of processor: it must become part of its caller.
+#define AFX_PART_OF_CALLER __attribute__((always_inline)) inline
+
 namespace afx::render {
 
-using Lanes = float __attribute__((vector_size(16)));
-using LaneMask = int32_t __attribute__((vector_size(16)));  // -1 or 0
-inline constexpr size_t kLanes = 4;
+using Lanes = float __attribute__((vector_size(32)));
+using LaneMask = int32_t __attribute__((vector_size(32)));  // -1 or 0
+inline constexpr int kLanes = 8;
 
-inline constexpr Lanes kLaneNumbers{0, 1, 2, 3};
-
-inline Lanes all(float value) { return Lanes{value, value, value, value}; }
-inline Lanes load(const float* from) {
+AFX_PART_OF_CALLER Lanes all(float value) { return Lanes{} + value; }
+AFX_PART_OF_CALLER LaneMask all_lanes() { return LaneMask{} == LaneMask{}; }
+AFX_PART_OF_CALLER Lanes load(const float* from) {
   Lanes lanes;
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
-inline void store(float* to, Lanes lanes) { std::memcpy(to, &lanes, sizeof lanes); }
-inline Lanes least(Lanes a, Lanes b) { return b < a ? b : a; }
-inline Lanes most(Lanes a, Lanes b) { return a < b ? b : a; }
-inline bool any(LaneMask mask) {
-  int64_t halves[2];
-  std::memcpy(halves, &mask, sizeof halves);
-  return (halves[0] | halves[1]) != 0;
+AFX_PART_OF_CALLER void store(float* to, Lanes lanes) { std::memcpy(to, &lanes, sizeof lanes); }
+AFX_PART_OF_CALLER Lanes most(Lanes a, Lanes b) { return a < b ? b : a; }
+AFX_PART_OF_CALLER bool any(LaneMask mask) {
+  int64_t parts[4];
+  std::memcpy(parts, &mask, sizeof parts);
+  return (parts[0] | parts[1] | parts[2] | parts[3]) != 0;
+}
+AFX_PART_OF_CALLER Lanes lane_numbers() { return Lanes{0, 1, 2, 3, 4, 5, 6, 7}; }
+AFX_PART_OF_CALLER LaneMask first_lanes(int count) {
+  return LaneMask{0, 1, 2, 3, 4, 5, 6, 7} < count;
 }
 
 }  // namespace afx::render

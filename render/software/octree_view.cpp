@@ -54,6 +54,7 @@ OctreeView::Size size_of(const glm::dmat3& cube, unsigned level, const Lens& len
 OctreeView::OctreeView(const VoxelCloud& cloud, const Lens& lens, const RenderOptions& options)
     : tree_(cloud.tree.get()),
       lens_(lens),
+      linear_(srgb_to_linear()),
       last_(std::min(cloud.tree->level(), options.finest_level)),
       scale_(options.splat_scale),
       points_(options.splats == SplatKind::points),
@@ -171,8 +172,9 @@ OctreeView::SideWeights OctreeView::side_weights(const glm::dvec3& centre) const
 }
 
 glm::vec3 OctreeView::light(unsigned level, uint32_t number, const SideWeights& weights) const {
-  const std::array<float, 256>& linear = srgb_to_linear();
-  const auto light_of = [&](Rgba8 c) { return glm::vec3(linear[c.r], linear[c.g], linear[c.b]); };
+  const auto light_of = [this](Rgba8 c) {
+    return glm::vec3(linear_[c.r], linear_[c.g], linear_[c.b]);
+  };
   if (level == tree_->level()) return light_of(tree_->colours()[number]);
   const VoxelTree::Sides& sides = tree_->sides(level)[number];
   glm::vec3 light(0);

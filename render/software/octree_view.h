@@ -4,6 +4,7 @@
 // From the nodes of an octree to discs on the grid of samples, from parent to child.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -90,6 +91,7 @@ class OctreeView {
 
   const VoxelTree* tree_;
   const Lens& lens_;
+  const std::array<float, 256>& linear_;  // of sRGB
   unsigned last_;
   double scale_;
   bool points_;

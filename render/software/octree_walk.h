@@ -4,6 +4,7 @@
 // The nodes of an octree that can be seen in a tile, from its breadth-first bytes, near to far.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/vec3.hpp>
@@ -14,6 +15,14 @@
 #include "render/software/tile_samples.h"
 
 namespace afx::render {
+
+/// How many bits each byte has. (std::popcount is a call on processors without the instruction.)
+inline constexpr std::array<uint8_t, 256> kOnes = [] {
+  std::array<uint8_t, 256> ones{};
+  for (unsigned byte = 0; byte < 256; ++byte)
+    ones[byte] = static_cast<uint8_t>(std::popcount(byte));
+  return ones;
+}();
 
 /// Walks one octree after another. Subtrees that lie beside the tile are passed over, and those
 /// that are hidden by what the tile already shows: so the nearer halves of each node come first.
@@ -76,8 +85,7 @@ class OctreeWalk {
       const unsigned i = nearest_ ^ flip ^ k;
       const unsigned bit = 1U << i;
       if ((branch.symbol & bit) == 0) continue;
-      visit(i,
-            branch.first_child + static_cast<uint32_t>(std::popcount(branch.symbol & (bit - 1))));
+      visit(i, branch.first_child + kOnes[branch.symbol & (bit - 1)]);
     }
   }
 

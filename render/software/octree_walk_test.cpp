@@ -76,12 +76,13 @@ Counts expect_equal(const Scene& scene, const Camera& camera, const RenderOption
     for (const OctreeView& view : frame.octrees) {
       for (const Splat& splat : PlainWalk(view, ray_of(frame, plain)).splats) all.push_back(splat);
       walk.run(view, walked, [&](const Splat& splat) {
-        if (lay_depth(Disc(splat), walked)) seen.push_back(splat);
+        if (SplatPainter::best().lay_disc_depth(splat, walked)) seen.push_back(splat);
       });
     }
-    for (const Splat& splat : all) lay_depth(Disc(splat), plain);
-    for (const Splat& splat : all) lay_colour(Disc(splat), plain);
-    for (const Splat& splat : seen) lay_colour(Disc(splat), walked);
+    const SplatPainter& painter = SplatPainter::plain();
+    for (const Splat& splat : all) painter.lay_disc_depth(splat, plain);
+    for (const Splat& splat : all) painter.lay_disc_colour(splat, plain);
+    for (const Splat& splat : seen) SplatPainter::best().lay_disc_colour(splat, walked);
     EXPECT_EQ(walked.depths, plain.depths) << tile;
     EXPECT_EQ(walked.sum_weight, plain.sum_weight) << tile;
     EXPECT_EQ(walked.sum_r, plain.sum_r) << tile;

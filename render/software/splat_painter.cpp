@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "render/software/splat_shapes.h"
+
 namespace afx::render {
 namespace {
 
@@ -11,101 +13,180 @@ constexpr float kLeastWeight = 1e-3F;  // at the rim, so that a disc alone has a
 
 /// The first whole number from `at` on, in [0, side]. Here and below by conversion, since floor and
 /// ceil are calls on processors without SSE 4.1.
-int first_from(float at, float side) {
+AFX_PART_OF_CALLER int first_from(float at, float side) {
   const float inside = std::clamp(at, 0.0F, side);
   const int whole = static_cast<int>(inside);
   return whole + (static_cast<float>(whole) < inside ? 1 : 0);
 }
 
 /// One more than the last whole number up to `at`, in [0, side].
-int end_after(float at, float side) { return static_cast<int>(std::clamp(at + 1, 0.0F, side)); }
+AFX_PART_OF_CALLER int end_after(float at, float side) {
+  return static_cast<int>(std::clamp(at + 1, 0.0F, side));
+}
 
-/// Four samples of a row, from number `at` on.
-struct Four {
+/// The samples of the tile in the square that holds a splat: [x0, x1) and [y0, y1).
+struct Square {
+  AFX_PART_OF_CALLER Square(const Splat& splat, const TileSamples& tile)
+      : x(splat.x - tile.left - 0.5F), y(splat.y - tile.top - 0.5F) {
+    const auto side = static_cast<float>(static_cast<int>(tile.side));
+    x0 = first_from(x - splat.radius, side);
+    x1 = end_after(x + splat.radius, side);
+    y0 = first_from(y - splat.radius, side);
+    y1 = end_after(y + splat.radius, side);
+  }
+  [[nodiscard]] bool is_empty() const { return x0 >= x1 || y0 >= y1; }
+
+  float x, y;  // the splat's place; sample k of the tile has its centre at k + 1/2, here at k
+  int x0, x1, y0, y1;
+};
+
+/// Some samples of a row, from number `at` on.
+struct Samples {
   size_t at;
-  LaneMask inside;  // those that the shape covers
+  LaneMask inside;  // those in the shape's run
   Lanes dx;         // from the splat
   float dy;
 };
 
-/// Visits the samples whose centres the shape covers. Both passes see the same ones.
+/// Visits the samples whose centres the shape may cover. Both passes see the same ones.
 template <class Shape, class Visit>
-void for_samples(const Shape& shape, const TileSamples& tile, const Visit& visit) {
-  // Sample k of the tile has its centre at k + 1/2.
-  const Splat& splat = shape.splat;
-  const float x = splat.x - tile.left - 0.5F;
-  const float y = splat.y - tile.top - 0.5F;
-  const auto side = static_cast<float>(tile.side);
-  const int end = end_after(y + splat.radius, side);
-  for (int row = first_from(y - splat.radius, side); row < end; ++row) {
-    const float dy = static_cast<float>(row) - y;
-    const Run run = shape.run(dy);
-    const int x1 = end_after(x + run.last, side);
-    for (int column = first_from(x + run.first, side); column < x1;
-         column += static_cast<int>(kLanes)) {
-      const LaneMask inside = kLaneNumbers < static_cast<float>(x1 - column);
-      const Lanes dx = kLaneNumbers + (static_cast<float>(column) - x);
-      visit(
-          Four{static_cast<size_t>(row) * tile.side + static_cast<size_t>(column), inside, dx, dy});
+AFX_PART_OF_CALLER void for_samples(const Shape& shape, const Square& square,
+                                    const TileSamples& tile, const Visit& visit) {
+  const auto side = static_cast<float>(static_cast<int>(tile.side));
+  size_t start = static_cast<size_t>(square.y0) * tile.side;
+  for (int row = square.y0; row < square.y1; ++row, start += tile.side) {
+    const float dy = static_cast<float>(row) - square.y;
+    int x0 = square.x0, x1 = square.x1;
+    if constexpr (Shape::kHasRuns) {
+      const Run run = shape.run(dy);
+      x0 = first_from(square.x + run.first, side);
+      x1 = end_after(square.x + run.last, side);
+    }
+    for (int column = x0; column < x1; column += kLanes) {
+      const Lanes dx = lane_numbers() + (static_cast<float>(column) - square.x);
+      visit(Samples{start + static_cast<size_t>(column), first_lanes(x1 - column), dx, dy});
     }
   }
 }
 
-/// The square that holds the splat has changed.
-void touch_around(const Splat& splat, TileSamples& tile) {
-  const float x = splat.x - tile.left - 0.5F;
-  const float y = splat.y - tile.top - 0.5F;
-  const auto side = static_cast<float>(tile.side);
-  const int x0 = first_from(x - splat.radius, side), x1 = end_after(x + splat.radius, side);
-  const int y0 = first_from(y - splat.radius, side), y1 = end_after(y + splat.radius, side);
-  if (x0 < x1 && y0 < y1)
-    tile.touch(static_cast<size_t>(x0), static_cast<size_t>(y0), static_cast<size_t>(x1),
-               static_cast<size_t>(y1));
+/// Whether all samples of the square are nearer than `depth`.
+AFX_PART_OF_CALLER bool is_hidden(const Square& square, float depth, const TileSamples& tile) {
+  const float* line = tile.depths.data() + static_cast<size_t>(square.y0) * tile.side;
+  LaneMask open{};
+  for (int row = square.y0; row < square.y1; ++row, line += tile.side) {
+    for (int column = square.x0; column < square.x1; column += kLanes)
+      open |= first_lanes(square.x1 - column) & (load(line + column) >= depth);
+  }
+  return !any(open);
 }
 
-}  // namespace
-
 template <class Shape>
-bool lay_depth(const Shape& shape, TileSamples& tile) {
-  LaneMask seen{};
+AFX_PART_OF_CALLER bool lay_depth(const Shape& shape, TileSamples& tile) {
   const float tolerance = shape.splat.tolerance;
-  for_samples(shape, tile, [&](const Four& four) {
-    const Lanes depth = shape.at(four.dx, four.dy).depth;
-    float* const place = &tile.depths[four.at];
-    const Lanes old = load(place);
-    LaneMask open = four.inside;
-    if (tile.has_walls) open &= depth < load(&tile.walls[four.at]);
-    seen |= open & (depth - tolerance <= old);
-    store(place, (open & (depth < old)) ? depth : old);
-  });
+  const Square square(shape.splat, tile);
+  if (square.is_empty()) return false;
+  if (Shape::kNearestInMiddle && is_hidden(square, shape.splat.depth - tolerance, tile))
+    return false;
+  float* const depths = tile.depths.data();
+  const float* const walls = tile.has_walls ? tile.walls.data() : nullptr;
+  LaneMask seen{};
+  for_samples(
+      shape, square, tile, [&](const Samples& samples) __attribute__((always_inline)) {
+        const Hit hit = shape.at(samples.dx, samples.dy);
+        const Lanes old = load(depths + samples.at);
+        LaneMask open = samples.inside & hit.inside;
+        if (walls != nullptr) open &= hit.depth < load(walls + samples.at);
+        seen |= open & (hit.depth - tolerance <= old);
+        store(depths + samples.at, (open & (hit.depth < old)) ? hit.depth : old);
+      });
   if (!any(seen)) return false;
-  touch_around(shape.splat, tile);
+  tile.touch(static_cast<size_t>(square.x0), static_cast<size_t>(square.y0),
+             static_cast<size_t>(square.x1), static_cast<size_t>(square.y1));
   return true;
 }
 
 template <class Shape>
-void lay_colour(const Shape& shape, TileSamples& tile) {
+AFX_PART_OF_CALLER void lay_colour(const Shape& shape, TileSamples& tile) {
   const Splat& splat = shape.splat;
-  for_samples(shape, tile, [&](const Four& four) {
-    const Hit hit = shape.at(four.dx, four.dy);
-    LaneMask open = four.inside & (hit.depth - splat.tolerance <= load(&tile.depths[four.at]));
-    if (tile.has_walls) open &= hit.depth < load(&tile.walls[four.at]);
-    if (!any(open)) return;
-    const Lanes inner = most(all(0), 1 - hit.out);
-    const Lanes weight = open ? shape.weight * (inner * inner + kLeastWeight) : all(0);
-    const auto add = [&](std::vector<float>& sums, Lanes amount) {
-      store(&sums[four.at], load(&sums[four.at]) + amount);
-    };
-    add(tile.sum_r, weight * splat.light.r);
-    add(tile.sum_g, weight * splat.light.g);
-    add(tile.sum_b, weight * splat.light.b);
-    add(tile.sum_weight, weight);
-  });
+  const float* const depths = tile.depths.data();
+  const float* const walls = tile.has_walls ? tile.walls.data() : nullptr;
+  float* const sum_r = tile.sum_r.data();
+  float* const sum_g = tile.sum_g.data();
+  float* const sum_b = tile.sum_b.data();
+  float* const sum_weight = tile.sum_weight.data();
+  for_samples(
+      shape, Square(splat, tile), tile, [&](const Samples& samples) __attribute__((always_inline)) {
+        const Hit hit = shape.at(samples.dx, samples.dy);
+        const size_t at = samples.at;
+        LaneMask open =
+            samples.inside & hit.inside & (hit.depth - splat.tolerance <= load(depths + at));
+        if (walls != nullptr) open &= hit.depth < load(walls + at);
+        if (!any(open)) return;
+        const Lanes inner = most(all(0), 1 - hit.out);
+        const Lanes weight = open ? shape.weight * (inner * inner + kLeastWeight) : all(0);
+        store(sum_r + at, load(sum_r + at) + weight * splat.light.r);
+        store(sum_g + at, load(sum_g + at) + weight * splat.light.g);
+        store(sum_b + at, load(sum_b + at) + weight * splat.light.b);
+        store(sum_weight + at, load(sum_weight + at) + weight);
+      });
 }
 
-template bool lay_depth(const Disc& shape, TileSamples& tile);
-template bool lay_depth(const Parallelogram& shape, TileSamples& tile);
-template void lay_colour(const Disc& shape, TileSamples& tile);
-template void lay_colour(const Parallelogram& shape, TileSamples& tile);
+AFX_PART_OF_CALLER void finish_sums(TileSamples& tile) {
+  const bool has_walls = tile.has_walls;
+  float* const sum_weight = tile.sum_weight.data();
+  for (size_t i = 0; i < tile.side * tile.side; i += kLanes) {
+    const Lanes weight = load(sum_weight + i);
+    const LaneMask some = weight > 0;
+    const Lanes part = 1 / (some ? weight : all(1));
+    LaneMask wall{};
+    if (has_walls) wall = ~some & (load(tile.walls.data() + i) < kFar);
+    const auto finish = [&](float* sums, const float* walls) __attribute__((always_inline)) {
+      Lanes mean = load(sums + i) * part;
+      if (has_walls) mean = wall ? load(walls + i) : mean;
+      store(sums + i, mean);
+    };
+    finish(tile.sum_r.data(), tile.wall_r.data());
+    finish(tile.sum_g.data(), tile.wall_g.data());
+    finish(tile.sum_b.data(), tile.wall_b.data());
+    store(sum_weight + i, (some | wall) ? all(1) : all(0));
+  }
+}
+
+/// The functions of a painter. attributes   what they are compiled for
+#define AFX_DEFINE_PAINTER(name, attributes)                                                       \
+  attributes bool name##_disc_depth(const Splat& splat, TileSamples& tile) {                       \
+    return lay_depth(Disc(splat), tile);                                                           \
+  }                                                                                                \
+  attributes void name##_disc_colour(const Splat& splat, TileSamples& tile) {                      \
+    lay_colour(Disc(splat), tile);                                                                 \
+  }                                                                                                \
+  attributes bool name##_surfel_depth(const Splat& splat, const Slant& slant, TileSamples& tile) { \
+    return lay_depth(Parallelogram(splat, slant), tile);                                           \
+  }                                                                                                \
+  attributes void name##_surfel_colour(const Splat& splat, const Slant& slant,                     \
+                                       TileSamples& tile) {                                        \
+    lay_colour(Parallelogram(splat, slant), tile);                                                 \
+  }                                                                                                \
+  attributes void name##_finish(TileSamples& tile) { finish_sums(tile); }                          \
+  constexpr SplatPainter name{name##_disc_depth, name##_disc_colour, name##_surfel_depth,          \
+                              name##_surfel_colour, name##_finish};
+
+AFX_DEFINE_PAINTER(kPlain, )
+#if defined(__x86_64__)
+AFX_DEFINE_PAINTER(kAvx2, __attribute__((target("avx2"))))
+#endif
+#undef AFX_DEFINE_PAINTER
+
+}  // namespace
+
+const SplatPainter& SplatPainter::plain() { return kPlain; }
+
+const SplatPainter& SplatPainter::best() {
+#if defined(__x86_64__)
+  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+  if (has_avx2) return kAvx2;
+#endif
+  return kPlain;
+}
 
 }  // namespace afx::render

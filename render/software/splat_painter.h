@@ -4,29 +4,32 @@
 // Lays splats into the samples of a tile: first all their depths, then their colours.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-
-#include "render/software/splat_shapes.h"
+#include "render/software/splats.h"
+#include "render/software/surfel_splats.h"
 #include "render/software/tile_samples.h"
 
 namespace afx::render {
 
-/// Lets the depths of the samples that the shape (splat_shapes.h) covers sink to its own. Where
-/// there are walls it must lie before them. Returns whether it is seen anywhere so far, if only in
-/// the mixture.
-template <class Shape>
-bool lay_depth(const Shape& shape, TileSamples& tile);
+/// The functions that touch samples, as one kind of processor runs them. All kinds give the same
+/// results, bit for bit.
+struct SplatPainter {
+  /// Lets the depths of the samples that a disc covers sink to its own. Where there are walls it
+  /// must lie before them. Returns whether it is seen anywhere so far, if only in the mixture.
+  bool (*lay_disc_depth)(const Splat& splat, TileSamples& tile);
+  /// Adds its colour to the samples where it is not farther behind the nearest than its tolerance.
+  void (*lay_disc_colour)(const Splat& splat, TileSamples& tile);
+  /// The same for parallelograms.
+  bool (*lay_surfel_depth)(const Splat& splat, const Slant& slant, TileSamples& tile);
+  void (*lay_surfel_colour)(const Splat& splat, const Slant& slant, TileSamples& tile);
 
-/// Adds the shape's colour to the samples where it is not farther behind the nearest than its
-/// tolerance.
-template <class Shape>
-void lay_colour(const Shape& shape, TileSamples& tile);
+  /// Turns the sums into colours with coverage: premultiplied, the weight 0 or 1. Where no splat
+  /// is, the walls.
+  void (*finish)(TileSamples& tile);
 
-extern template bool lay_depth(const Disc& shape, TileSamples& tile);
-extern template bool lay_depth(const Parallelogram& shape, TileSamples& tile);
-extern template void lay_colour(const Disc& shape, TileSamples& tile);
-extern template void lay_colour(const Parallelogram& shape, TileSamples& tile);
+  /// For any processor.
+  static const SplatPainter& plain();
+  /// The fastest for this one.
+  static const SplatPainter& best();
+};
 
 }  // namespace afx::render

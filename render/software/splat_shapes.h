@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "render/software/lanes.h"
 #include "render/software/splats.h"
@@ -18,28 +17,28 @@ struct Run {
   float first, last;
 };
 
-/// A splat at four samples of a row.
+/// A splat at some samples of a row.
 struct Hit {
   Lanes depth;
-  Lanes out;  ///< 0 in the centre, 1 at the rim
+  Lanes out;        ///< 0 in the centre, 1 at the rim
+  LaneMask inside;  ///< those that the splat covers, where it has no runs
 };
 
 /// The disc of a voxel, which bulges towards the viewer.
 struct Disc {
-  explicit Disc(const Splat& s)
+  static constexpr bool kHasRuns = false;         // in rows; else all its square may be covered
+  static constexpr bool kNearestInMiddle = true;  // nowhere nearer than its centre
+  static constexpr float weight = 1;              // of its centre, in mixing
+
+  AFX_PART_OF_CALLER explicit Disc(const Splat& s)
       : splat(s), square(s.radius * s.radius), inverse(1 / square), bend(s.bulge * inverse) {}
 
-  [[nodiscard]] Run run(float dy) const {
-    const float half = std::sqrt(std::max(0.0F, square - dy * dy));
-    return {-half, half};
-  }
-  [[nodiscard]] Hit at(Lanes dx, float dy) const {
+  [[nodiscard]] AFX_PART_OF_CALLER Hit at(Lanes dx, float dy) const {
     const Lanes d2 = dx * dx + dy * dy;
-    return {splat.depth + bend * d2, d2 * inverse};
+    return {splat.depth + bend * d2, d2 * inverse, d2 <= square};
   }
 
-  static constexpr float weight = 1;  // of its centre, in mixing
-  const Splat& splat;
+  Splat splat;
   float square;  // of the radius
   float inverse;
   float bend;
@@ -49,7 +48,11 @@ struct Disc {
 /// eye: what lies there is outside of all four edges.
 class Parallelogram {
  public:
-  Parallelogram(const Splat& s, const Slant& l) : splat(s), weight(l.weight), slant_(l) {
+  static constexpr bool kHasRuns = true;
+  static constexpr bool kNearestInMiddle = false;
+
+  AFX_PART_OF_CALLER Parallelogram(const Splat& s, const Slant& l)
+      : splat(s), weight(l.weight), slant_(l) {
     const float near_x = l.nearness * l.depth_x, near_y = l.nearness * l.depth_y;
     edges_[0] = {near_x + l.s_x, near_y + l.s_y};  // s k <= 1
     edges_[1] = {near_x - l.s_x, near_y - l.s_y};
@@ -57,7 +60,7 @@ class Parallelogram {
     edges_[3] = {near_x - l.t_x, near_y - l.t_y};
   }
 
-  [[nodiscard]] Run run(float dy) const {
+  [[nodiscard]] AFX_PART_OF_CALLER Run run(float dy) const {
     Run run{-splat.radius, splat.radius};
     for (const Edge& edge : edges_) {
       const float inside = 1 - edge.y * dy;
@@ -67,15 +70,15 @@ class Parallelogram {
     }
     return run;
   }
-  [[nodiscard]] Hit at(Lanes dx, float dy) const {
+  [[nodiscard]] AFX_PART_OF_CALLER Hit at(Lanes dx, float dy) const {
     const Lanes deeper = slant_.depth_x * dx + slant_.depth_y * dy;
     const Lanes k = 1 / most(all(kLeastPart), 1 - slant_.nearness * deeper);
     const Lanes s = k * (slant_.s_x * dx + slant_.s_y * dy);
     const Lanes t = k * (slant_.t_x * dx + slant_.t_y * dy);
-    return {splat.depth + k * deeper, most(s * s, t * t)};
+    return {splat.depth + k * deeper, most(s * s, t * t), all_lanes()};
   }
 
-  const Splat& splat;
+  const Splat splat;
   const float weight;
 
  private:
@@ -86,7 +89,7 @@ class Parallelogram {
     float x, y;
   };
 
-  const Slant& slant_;
+  const Slant slant_;
   Edge edges_[4];
 };
 

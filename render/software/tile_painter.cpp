@@ -3,10 +3,7 @@
 #include "render/software/tile_painter.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "afx/srgb.h"
-#include "render/software/lanes.h"
 #include "render/software/splat_painter.h"
 
 namespace afx::render {
@@ -30,73 +27,22 @@ void TilePainter::lay_octrees() {
   voxels_.clear();
   for (const OctreeView& view : frame_.octrees) {
     walk_.run(view, samples_, [this](const Splat& splat) {
-      if (lay_depth(Disc(splat), samples_)) voxels_.push_back(splat);
+      if (painter_.lay_disc_depth(splat, samples_)) voxels_.push_back(splat);
     });
   }
 }
 
-/// Turns the sums into colours with coverage: premultiplied, the weight 0 or 1.
-void TilePainter::finish_samples() {
-  TileSamples& s = samples_;
-  for (size_t i = 0; i < s.side * s.side; i += kLanes) {
-    const Lanes weight = load(&s.sum_weight[i]);
-    const LaneMask some = weight > 0;
-    LaneMask wall{};
-    if (s.has_walls) wall = ~some & (load(&s.walls[i]) < kFar);
-    const Lanes part = 1 / (some ? weight : all(1));
-    const auto finish = [&](std::vector<float>& sums, const std::vector<float>& walls) {
-      Lanes mean = load(&sums[i]) * part;
-      if (s.has_walls) mean = wall ? load(&walls[i]) : mean;
-      store(&sums[i], mean);
-    };
-    finish(s.sum_r, s.wall_r);
-    finish(s.sum_g, s.wall_g);
-    finish(s.sum_b, s.wall_b);
-    store(&s.sum_weight[i], (some | wall) ? all(1) : all(0));
-  }
-}
-
-/// The mean of the samples over the background, both in linear light.
-void TilePainter::resolve_pixel(size_t first, uint8_t* pixel, float* depth) const {
-  const unsigned n = frame_.options.samples;
-  float r = 0, g = 0, b = 0, covered = 0;
-  float nearest = kFar;
-  for (size_t y = 0; y < n; ++y) {
-    for (size_t x = 0; x < n; ++x) {
-      const size_t i = first + y * samples_.side + x;
-      r += samples_.sum_r[i];
-      g += samples_.sum_g[i];
-      b += samples_.sum_b[i];
-      covered += samples_.sum_weight[i];
-      nearest = std::min(nearest, samples_.depths[i]);
-    }
-  }
-  if (depth != nullptr) *depth = nearest;
-  const std::array<float, 256>& linear = srgb_to_linear();
-  const Rgba8 back = frame_.options.background;
-  const auto samples = static_cast<float>(n * n);
-  const float through = (samples - covered) * static_cast<float>(back.a) / 255;
-  const float opaque = covered + through;
-  if (opaque == 0) {  // keeps the background's colour, for those who drop alpha
-    pixel[0] = back.r, pixel[1] = back.g, pixel[2] = back.b, pixel[3] = 0;
-    return;
-  }
-  pixel[0] = linear_to_srgb((r + through * linear[back.r]) / opaque);
-  pixel[1] = linear_to_srgb((g + through * linear[back.g]) / opaque);
-  pixel[2] = linear_to_srgb((b + through * linear[back.b]) / opaque);
-  pixel[3] = static_cast<uint8_t>(255 * opaque / samples + 0.5F);
-}
-
-void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) const {
+void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) {
   const RenderOptions& options = frame_.options;
-  const uint32_t x_end = std::min(x + frame_.grid.side, options.width);
-  const uint32_t y_end = std::min(y + frame_.grid.side, options.height);
-  for (uint32_t py = y; py < y_end; ++py) {
-    for (uint32_t px = x; px < x_end; ++px) {
-      const size_t first = (size_t{py - y} * samples_.side + (px - x)) * options.samples;
-      float* depth = image.depth.empty() ? nullptr : &image.depth[size_t{py} * options.width + px];
-      resolve_pixel(first, image.picture.pixel(px, py), depth);
-    }
+  const uint32_t columns = std::min(frame_.grid.side, options.width - x);
+  const uint32_t rows = std::min(frame_.grid.side, options.height - y);
+  for (uint32_t row = 0; row < rows; ++row) {
+    pixels_.sum(samples_, row, options);
+    pixels_.blend(options.background);
+    pixels_.encode(image.picture.pixel(x, y + row), columns);
+    if (!options.depth) continue;
+    std::copy_n(pixels_.depths().begin(), columns,
+                image.depth.begin() + static_cast<ptrdiff_t>(size_t{y + row} * options.width + x));
   }
 }
 
@@ -105,12 +51,12 @@ void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
   collect_surfels(column, row);
   const SplatTiles& tiles = frame_.surfels;
   for (const uint32_t i : surfels_)
-    lay_depth(Parallelogram(tiles.splat(i), tiles.slant(i)), samples_);
+    painter_.lay_surfel_depth(tiles.splat(i), tiles.slant(i), samples_);
   lay_octrees();
   for (const uint32_t i : surfels_)
-    lay_colour(Parallelogram(tiles.splat(i), tiles.slant(i)), samples_);
-  for (const Splat& splat : voxels_) lay_colour(Disc(splat), samples_);
-  finish_samples();
+    painter_.lay_surfel_colour(tiles.splat(i), tiles.slant(i), samples_);
+  for (const Splat& splat : voxels_) painter_.lay_disc_colour(splat, samples_);
+  painter_.finish(samples_);
   resolve(column * frame_.grid.side, row * frame_.grid.side, image);
 }
 

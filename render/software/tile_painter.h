@@ -9,6 +9,8 @@
 #include "render/renderer.h"
 #include "render/software/frame.h"
 #include "render/software/octree_walk.h"
+#include "render/software/pixel_row.h"
+#include "render/software/splat_painter.h"
 #include "render/software/tile_samples.h"
 
 namespace afx::render {
@@ -17,7 +19,8 @@ namespace afx::render {
 /// sample, 4 for each surfel and 32 for each voxel that touches the tile.
 class TilePainter {
  public:
-  explicit TilePainter(const Frame& frame) : frame_(frame), samples_(frame.grid, frame.options) {}
+  explicit TilePainter(const Frame& frame)
+      : frame_(frame), samples_(frame.grid, frame.options), pixels_(frame.grid) {}
 
   /// Draws a tile into its part of the image.
   void paint(uint32_t column, uint32_t row, RenderedImage& image);
@@ -25,12 +28,12 @@ class TilePainter {
  private:
   void collect_surfels(uint32_t column, uint32_t row);
   void lay_octrees();
-  void finish_samples();
-  void resolve(uint32_t x, uint32_t y, RenderedImage& image) const;
-  void resolve_pixel(size_t first, uint8_t* pixel, float* depth) const;
+  void resolve(uint32_t x, uint32_t y, RenderedImage& image);
 
   const Frame& frame_;
+  const SplatPainter& painter_ = SplatPainter::best();
   TileSamples samples_;
+  PixelRow pixels_;
   OctreeWalk walk_;
   std::vector<uint32_t> surfels_;  // numbers of those of the tile
   std::vector<Splat> voxels_;      // those of the tile that may be seen

@@ -45,7 +45,7 @@ class TileSamples {
   /// it.
   void touch(size_t x0, size_t y0, size_t x1, size_t y1);
 
-  static constexpr size_t kPadding = 4;
+  static constexpr size_t kPadding = 8;
 
   size_t side;                                ///< samples along a side
   float left = 0, top = 0;                    ///< of the tile in the picture, in samples
