@@ -29,6 +29,15 @@ std::string NodeView::label() const {
   return out;
 }
 
+std::vector<uint32_t> NodeView::path() const {
+  std::vector<uint32_t> out;
+  if (!valid()) return out;
+  out.push_back(id_.value);
+  for (const Instance* at = inside_.get(); at != nullptr; at = at->outer.get())
+    out.push_back(at->node.value);
+  return out;
+}
+
 NodeView::Resolved NodeView::resolve(FieldIndex field) const {
   NodeId id = id_;
   const std::shared_ptr<const Instance>* inside = &inside_;

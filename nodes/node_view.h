@@ -38,6 +38,10 @@ class NodeView {
   /// For messages: the type, and the DEF name if there is one: `DepthImage "FRONT"`.
   [[nodiscard]] std::string label() const;
 
+  /// The number of the node, then of the PROTO instances that it is seen inside of, the inner ones
+  /// first. In one scene, views with the same path see the same values. Of nothing: empty.
+  [[nodiscard]] std::vector<uint32_t> path() const;
+
   /// The value of a field; nullptr if there is no such field, or its type is not stored as T.
   template <class T>
   [[nodiscard]] const T* find(std::string_view field) const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// Source: ISO/IEC 14772-1:1997 (VRML97), Transform, Billboard, LOD, Switch (clauses not checked).
+// Source: ISO/IEC 14772-1:1997 (VRML97), Transform, Billboard, LOD, Switch, DirectionalLight,
+// PointLight, SpotLight (clauses not checked).
 #include "nodes/traversal.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <string>
+#include <utility>
 
 namespace afx::nodes {
 
@@ -113,15 +115,41 @@ bool is_depth_image(const NodeView& node) {
   return node.type() == "DepthImage" || node.type() == "DepthImageV2";
 }
 
+using Kind = SceneObject::Kind;
+
+/// The nodes that are handed out as they are.
+struct ObjectRule {
+  std::string_view type;
+  Kind kind;
+};
+constexpr ObjectRule kObjectRules[] = {
+    {"DirectionalLight", Kind::light},  {"PointLight", Kind::light},
+    {"SpotLight", Kind::light},         {"Background", Kind::background},
+    {"Background2D", Kind::background}, {"Fog", Kind::fog},
+    {"Viewpoint", Kind::viewpoint},     {"NavigationInfo", Kind::navigation_info},
+    {"Inline", Kind::inline_scene},
+};
+constexpr std::string_view kBoundInLayer[] = {"background", "fog", "navigationInfo", "viewpoint"};
+
+bool is_dibr(Kind kind) { return kind == Kind::depth_images || kind == Kind::octree_image; }
+
 class Walk {
  public:
-  Walk(const Scene& scene, const TraversalOptions& options) : scene_(scene), options_(options) {}
+  /// dibr_only   everything else is left out
+  Walk(const Scene& scene, const TraversalOptions& options, bool dibr_only)
+      : scene_(scene), options_(options), dibr_only_(dibr_only) {}
 
-  Result<std::vector<DibrObject>> run() {
-    Frame world;
+  Result<SceneObjects> run() {
+    Frame world{options_.to_world};
     for (const NodeId root : scene_.roots()) visit(NodeView(scene_, root), world, 1);
+    end_group(0, 0);
     if (failed_) return Error{Errc::limit_exceeded, {}, text_, {}, {}};
-    return std::move(objects_);
+    for (SceneObject& object : found_.objects)
+      if (object.kind == Kind::light && object.nodes.front().type() != "DirectionalLight") {
+        object.lit_begin = 0;
+        object.lit_end = found_.objects.size();
+      }
+    return std::move(found_);
   }
 
  private:
@@ -129,24 +157,38 @@ class Walk {
     if (!count(depth) || !node.valid()) return;
     const std::string_view type = node.type();
     if (is_depth_image(node)) return add_depth_image(node, frame);
-    if (type == "OctreeImage") return add_octree_image(node, frame);
-    if (type == "BitWrapper") return visit_wrapper(node, frame);
+    if (type == "OctreeImage") return add(Kind::octree_image, node, frame);
+    if (type == "BitWrapper") return static_cast<void>(visit_wrapper(node, frame));
     if (type == "Shape") return visit_shape(node, frame);
+    for (const ObjectRule& rule : kObjectRules)
+      if (rule.type == type) return add(rule.kind, node, frame);
+    visit_group(node, frame, depth);
+  }
+
+  void visit_group(const NodeView& node, Frame& frame, uint32_t depth) {
+    const std::string_view type = node.type();
     if (type == "Switch") return visit_choice(node, "choice", switch_index(node), frame, depth);
     if (type == "LOD") return visit_level(node, frame, depth);
+    if (type == "Billboard") return visit_billboard(node, frame, depth);
+    if (type == "Layer3D")
+      for (const std::string_view field : kBoundInLayer)
+        if (const NodeView bound = node.child(field); bound.valid()) visit(bound, frame, depth + 1);
     for (const GroupRule& rule : kMatrixRules)
       if (rule.type == type) return visit_inside(node, rule.matrix(node), frame, depth);
-    if (type == "Billboard" && options_.viewer)
-      return visit_inside(node, billboard_matrix(node, frame.to_world, *options_.viewer), frame,
-                          depth);
     visit_children(node, frame, depth);
+  }
+
+  void visit_billboard(const NodeView& node, Frame& frame, uint32_t depth) {
+    found_.depends_on_viewer = true;
+    if (!options_.viewer) return visit_children(node, frame, depth);
+    visit_inside(node, billboard_matrix(node, frame.to_world, *options_.viewer), frame, depth);
   }
 
   /// Whether one more node may be met. A scene that uses each group twice in the next has few nodes
   /// and exponentially many places: that is what the limit is for.
   bool count(uint32_t depth) {
     if (failed_) return false;
-    failed_ = depth > options_.max_depth || ++visits_ > options_.max_visits;
+    failed_ = depth > options_.max_depth || ++found_.visits > options_.max_visits;
     if (failed_)
       text_ = depth > options_.max_depth
                   ? "the scene is nested deeper than " + std::to_string(options_.max_depth)
@@ -162,13 +204,18 @@ class Walk {
   }
 
   void visit_children(const NodeView& node, Frame& frame, uint32_t depth) {
+    const size_t objects = found_.objects.size(), lights = group_lights_.size();
     for (const NodeView& child : node.children("children")) visit(child, frame, depth + 1);
+    end_group(objects, lights);
   }
 
   void visit_choice(const NodeView& node, std::string_view field, size_t index, Frame& frame,
                     uint32_t depth) {
-    if (const NodeView chosen = node.child_at(field, index); chosen.valid())
-      visit(chosen, frame, depth + 1);
+    const NodeView chosen = node.child_at(field, index);
+    if (!chosen.valid()) return;
+    const size_t objects = found_.objects.size(), lights = group_lights_.size();
+    visit(chosen, frame, depth + 1);
+    end_group(objects, lights);
   }
 
   static size_t switch_index(const NodeView& node) {
@@ -177,6 +224,7 @@ class Walk {
   }
 
   void visit_level(const NodeView& node, Frame& frame, uint32_t depth) {
+    found_.depends_on_viewer = true;
     const size_t levels = node.child_count("level");
     if (levels == 0) return;
     const size_t level = lod_level(node, frame.to_world, options_.viewer);
@@ -185,32 +233,53 @@ class Walk {
 
   void visit_shape(const NodeView& node, Frame& frame) {
     const NodeView geometry = node.child("geometry");
-    if (geometry.valid() && geometry.type() == "BitWrapper") visit_wrapper(geometry, frame);
+    if (!geometry.valid()) return;
+    if (geometry.type() == "BitWrapper" && visit_wrapper(geometry, frame)) return;
+    add(Kind::shape, node, frame);
   }
 
-  void visit_wrapper(const NodeView& node, Frame& frame) {
+  /// Whether it holds a DIBR node, which is handed out then.
+  bool visit_wrapper(const NodeView& node, Frame& frame) {
     const NodeView wrapped = node.child("node");
-    if (!wrapped.valid()) return;
+    if (!wrapped.valid()) return false;
+    const bool octree = wrapped.type() == "OctreeImage";
+    if (octree) add(Kind::octree_image, node, frame);
     if (is_depth_image(wrapped)) add_depth_image(node, frame);
-    if (wrapped.type() == "OctreeImage") add_octree_image(node, frame);
+    return octree || is_depth_image(wrapped);
   }
 
   void add_depth_image(const NodeView& node, Frame& frame) {
     if (frame.group == kNoGroup) {
-      frame.group = objects_.size();
-      objects_.push_back({DibrObject::Kind::depth_images, frame.to_world, {}});
+      frame.group = found_.objects.size();
+      found_.objects.push_back({Kind::depth_images, frame.to_world, {}});
     }
-    objects_[frame.group].nodes.push_back(node);
+    found_.objects[frame.group].nodes.push_back(node);
   }
 
-  void add_octree_image(const NodeView& node, const Frame& frame) {
-    objects_.push_back({DibrObject::Kind::octree_image, frame.to_world, {node}});
+  void add(Kind kind, const NodeView& node, const Frame& frame) {
+    if (dibr_only_ && !is_dibr(kind)) return;
+    if (kind == Kind::light) {
+      if (!node.get<bool>("on")) return;
+      group_lights_.push_back(found_.objects.size());
+    }
+    found_.objects.push_back({kind, frame.to_world, {node}});
+  }
+
+  /// At the end of a group: its lights fall on all that stands in it, also on what came before
+  /// them.
+  void end_group(size_t first_object, size_t first_light) {
+    for (; group_lights_.size() > first_light; group_lights_.pop_back()) {
+      SceneObject& light = found_.objects[group_lights_.back()];
+      light.lit_begin = first_object;
+      light.lit_end = found_.objects.size();
+    }
   }
 
   const Scene& scene_;
   const TraversalOptions& options_;
-  std::vector<DibrObject> objects_;
-  uint64_t visits_ = 0;
+  bool dibr_only_;
+  SceneObjects found_;
+  std::vector<size_t> group_lights_;  // those met in groups that have not ended
   bool failed_ = false;
   std::string text_;
 };
@@ -227,9 +296,25 @@ glm::dmat4 transform_matrix(const NodeView& node) {
   return glm::translate(m, -center);
 }
 
+Result<SceneObjects> find_scene_objects(const Scene& scene, const TraversalOptions& options) {
+  return Walk(scene, options, false).run();
+}
+
+std::optional<DibrObject> dibr_object(const SceneObject& object) {
+  if (!is_dibr(object.kind)) return std::nullopt;
+  const auto kind = object.kind == Kind::octree_image ? DibrObject::Kind::octree_image
+                                                      : DibrObject::Kind::depth_images;
+  return DibrObject{kind, object.to_world, object.nodes};
+}
+
 Result<std::vector<DibrObject>> find_dibr_objects(const Scene& scene,
                                                   const TraversalOptions& options) {
-  return Walk(scene, options).run();
+  const auto found = Walk(scene, options, true).run();
+  if (!found.ok()) return found.error();
+  std::vector<DibrObject> objects;
+  for (const SceneObject& object : found.value().objects)
+    if (auto dibr = dibr_object(object)) objects.push_back(*std::move(dibr));
+  return objects;
 }
 
 }  // namespace afx::nodes

@@ -201,6 +201,109 @@ TEST(Traversal, WhatCannotBeSeenThroughIsNothing) {
   EXPECT_EQ(NodeView(scene, scene.roots()[0]).child("x").type(), "NULL");
 }
 
+/// Everything as one text: kinds, DEF names; of lights the names of the shapes that they light.
+std::string everything_in(const std::string& text) {
+  const Scene scene = read_scene(text);
+  const auto found = find_scene_objects(scene);
+  EXPECT_TRUE(found.ok());
+  std::string out;
+  const auto& objects = found.value().objects;
+  for (const SceneObject& object : objects) {
+    out += std::string("DOSLBFVNI").substr(static_cast<size_t>(object.kind), 1) + "(" +
+           object.nodes.front().node().name;
+    for (size_t i = object.lit_begin; i < object.lit_end; ++i)
+      if (objects[i].kind == SceneObject::Kind::shape) out += " " + objects[i].nodes[0].node().name;
+    out += ") ";
+  }
+  return out;
+}
+
+TEST(Traversal, AllThatASceneShowsComesInItsOrder) {
+  EXPECT_EQ(
+      everything_in("DEF v Viewpoint {} Group { children [ DEF s Shape { geometry Box {} } DEF "
+                    "f Fog {} DEF d DepthImage {} DEF i Inline {} ] } DEF b Background {} "
+                    "Anchor { children DEF o OctreeImage {} } DEF n NavigationInfo {} "
+                    "Collision { children DEF t Shape { geometry Sphere {} } }"),
+      "V(v) S(s) F(f) D(d) I(i) B(b) O(o) N(n) S(t) ");
+}
+
+TEST(Traversal, AShapeWithoutGeometryShowsNothing) {
+  EXPECT_EQ(everything_in("Shape {} Shape { appearance Appearance {} }"), "");
+}
+
+TEST(Traversal, ADirectionalLightLightsItsGroup) {
+  EXPECT_EQ(everything_in(
+                "DEF a Shape { geometry Box {} } Transform { children [ DEF b Shape { geometry "
+                "Box {} } DEF l DirectionalLight {} Group { children [ DEF c Shape { geometry "
+                "Box {} } DEF m DirectionalLight {} ] } DEF d Shape { geometry Box {} } ] } DEF "
+                "e Shape { geometry Box {} }"),
+            "S(a) S(b) L(l b c d) S(c) L(m c) S(d) S(e) ");
+  EXPECT_EQ(everything_in("DEF a Shape { geometry Box {} } DEF l DirectionalLight {}"),
+            "S(a) L(l a) ");
+}
+
+TEST(Traversal, PointAndSpotLightsLightEverything) {
+  EXPECT_EQ(
+      everything_in("DEF a Shape { geometry Box {} } Group { children [ DEF p PointLight {} DEF "
+                    "s SpotLight {} DEF b Shape { geometry Box {} } ] }"),
+      "S(a) L(p a b) L(s a b) S(b) ");
+}
+
+TEST(Traversal, LightsThatAreOffDoNotExist) {
+  EXPECT_EQ(everything_in("PROTO P [ field SFBool lit TRUE ] { PointLight { on IS lit } } "
+                          "DirectionalLight { on FALSE } P { lit FALSE } PointLight { on FALSE }"),
+            "");
+}
+
+TEST(Traversal, ALightThatASwitchChoosesHasNoSiblings) {
+  EXPECT_EQ(
+      everything_in("Group { children [ DEF a Shape { geometry Box {} } Switch { whichChoice 0 "
+                    "choice DEF l DirectionalLight {} } ] }"),
+      "S(a) L(l) ");
+}
+
+TEST(Traversal, ALayerHasItsBoundNodes) {
+  EXPECT_EQ(everything_in("Layer3D { viewpoint DEF v Viewpoint {} fog DEF f Fog {} children DEF s "
+                          "Shape { geometry Box {} } }"),
+            "F(f) V(v) S(s) ");
+}
+
+TEST(Traversal, WhatDependsOnTheViewerIsSaid) {
+  const auto depends = [](const std::string& text) {
+    const Scene scene = read_scene(text);
+    return find_scene_objects(scene).value().depends_on_viewer;
+  };
+  EXPECT_FALSE(depends("Group { children Switch { choice LOD {} } }"));
+  EXPECT_TRUE(depends("Group { children LOD {} }"));
+  EXPECT_TRUE(depends("Billboard {}"));
+}
+
+TEST(Traversal, ASceneCanStandSomewhere) {
+  const Scene scene = read_scene("Transform { translation 1 0 0 children Viewpoint {} }");
+  TraversalOptions options;
+  options.to_world[3] = glm::dvec4(0, 5, 0, 1);
+  const auto found = find_scene_objects(scene, options);
+  ASSERT_EQ(found.value().objects.size(), 1U);
+  expect_near(moved(found.value().objects[0].to_world, {0, 0, 0}), {1, 5, 0});
+  EXPECT_EQ(found.value().visits, 2U);
+}
+
+TEST(NodeView, PathsTellInstancesApart) {
+  const Scene scene = read_scene(
+      "PROTO P [ field MFNode c [] ] { Group { children [ Anchor {} Group { children IS c } ] } } "
+      "DEF a P {} DEF b P { c DEF s Shape {} } USE a");
+  std::vector<NodeView> anchors;
+  for (const NodeId root : scene.roots())
+    anchors.push_back(NodeView(scene, root).child_at("children", 0));
+  EXPECT_NE(anchors[0].path(), anchors[1].path());
+  EXPECT_EQ(anchors[0].path(), anchors[2].path());
+  EXPECT_EQ(anchors[0].path().size(), 2U);
+  const NodeView shape =
+      NodeView(scene, scene.roots()[1]).child_at("children", 1).child_at("children", 0);
+  EXPECT_EQ(shape.path(), std::vector<uint32_t>{scene.find_name("s").value});
+  EXPECT_TRUE(NodeView().path().empty());
+}
+
 TEST(Traversal, DoublingsWithoutEndAreRefused) {
   std::string text = "DEF G0 Group {}\n";
   for (int i = 1; i < 60; ++i) {
