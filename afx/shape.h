@@ -44,7 +44,8 @@ constexpr size_t corners_of(Geometry::Kind kind) {
 /// How a surface looks. Colours are display values (sRGB), 0..1; lighting is reckoned with them as
 /// they are, as VRML97 does.
 struct Look {
-  bool lit = true;  ///< false: no Material; shown in full brightness
+  bool lit = true;  ///< false: no Material; shown in full brightness, white or in the colour that
+                    ///< diffuse and emissive both hold then
   glm::vec3 diffuse{0.8F};
   glm::vec3 specular{0};
   glm::vec3 emissive{0};
