@@ -5,6 +5,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -17,6 +18,7 @@
 #include "codec/error.h"
 #include "codec/limits.h"
 #include "nodes/scene.h"
+#include "nodes/traversal.h"
 
 namespace afx {
 
@@ -42,9 +44,30 @@ struct DibrModel {
   [[nodiscard]] const OctreeModel* octree() const { return std::get_if<OctreeModel>(shape.get()); }
 };
 
+/// Reads objects of one scene and keeps what they show: nodes that are met again, in another place
+/// or at another time, are not read again. (Instances of a PROTO are different nodes each.) The
+/// scene must not change meanwhile.
+class DibrModelReader {
+ public:
+  /// left   what all together may take; its memory becomes less by what is read. Must outlive this
+  DibrModelReader(UrlBase base, Limits& left) : base_(std::move(base)), left_(left) {}
+
+  /// Errors and warnings as read_dibr_models, the warnings of a node once.
+  Result<DibrModel> read(const nodes::DibrObject& object, Diagnostics& diagnostics);
+
+ private:
+  using Shared = std::shared_ptr<const DibrShape>;
+  Result<Shared> read_octree(const nodes::DibrObject& object, Diagnostics& diagnostics);
+  Result<Shared> read_images(const nodes::DibrObject& object, Diagnostics& diagnostics);
+  void take(uint64_t bytes);
+
+  UrlBase base_;
+  Limits& left_;
+  std::map<std::vector<uint32_t>, Shared> known_;  // by the paths of the nodes
+};
+
 /// Reads all objects of a scene, in its order (nodes/traversal.h), with their pictures. Nodes that
-/// USE shows in several places are read once. (Not so in PROTOs: there their fields may be other
-/// ones in each instance.)
+/// USE shows in several places are read once.
 /// Errors    those of find_dibr_objects, read_depth_image, read_octree_model; limit_exceeded: all
 ///           together take more than limits.memory
 /// Warnings  those of the readers
