@@ -14,6 +14,11 @@ Result<SceneFile*> InlineFiles::find(const NodeView& node, const SceneFile& from
   if (urls.empty()) return nullptr;
   auto key = std::pair(&from, node.path());
   if (const auto known = by_node_.find(key); known != by_node_.end()) return known->second;
+  const uint64_t bytes = key.second.size() * sizeof(uint32_t) + 128;
+  if (bytes > left_.memory)
+    return Error{Errc::limit_exceeded, Place::none(),
+                 "the Inlines take more memory than the limit"};
+  left_.memory -= bytes;
   auto loaded = load(urls, from.source.base);
   if (!loaded.ok() && loaded.error().code == Errc::limit_exceeded) return std::move(loaded).error();
   if (!loaded.ok())

@@ -79,8 +79,10 @@ class Reading {
   Status add(const SceneObject& object, SceneFile& file, Diagnostics& diagnostics) {
     if (const auto dibr = nodes::dibr_object(object)) return add_model(*dibr, file, diagnostics);
     const NodeView& node = object.nodes.front();
-    if (!is_finite(object.to_world))
-      return bad_node(node, "the matrix of its place is not finite (expected finite numbers)");
+    if (!is_usable(object.to_world))
+      return bad_node(node,
+                      "the matrix of its place has numbers beyond all size (expected at most "
+                      "1e60)");
     if (object.kind == Kind::shape) return add_shape(object, file, diagnostics);
     if (object.kind == Kind::light) return add_light(object);
     if (object.kind == Kind::inline_scene) return add_inline(object, file, diagnostics);

@@ -77,8 +77,8 @@ class VisualSceneReader {
 ///
 /// Errors    those of find_scene_objects, of the readers of DIBR objects (dibr_model.h) and of
 /// those
-///           in afx/shapes; bad_argument: a matrix that is not finite; limit_exceeded: all together
-///           takes more than limits.memory. One of an inlined file names it
+///           in afx/shapes; bad_argument: a matrix with numbers beyond 1e60; limit_exceeded: all
+///           together takes more than limits.memory. One of an inlined file names it
 /// Warnings  unknown_geometry: shapes that are not shown, one for all; inline_not_shown: it cannot
 ///           be loaded (but limit_exceeded is an error), inlines itself, or stands too deep; those
 ///           of the readers

@@ -140,8 +140,8 @@ TEST(VisualScene, BadNodesAreErrors) {
   EXPECT_EQ(read("Shape { geometry DEF B Box { size -1 1 1 } }").error,
             "bad_argument: Box \"B\": field size is -1 1 1 (expected finite numbers, 0 or more)");
   EXPECT_EQ(read("Transform { scale inf 1 1 children DEF S Shape { geometry Box {} } }").error,
-            "bad_argument: Shape \"S\": the matrix of its place is not finite (expected finite "
-            "numbers)");
+            "bad_argument: Shape \"S\": the matrix of its place has numbers beyond all size "
+            "(expected at most 1e60)");
 }
 
 TEST(VisualScene, SizesAreLimited) {
@@ -160,6 +160,13 @@ TEST(VisualScene, SizesAreLimited) {
             "limit_exceeded: the scene has more than 700 places of nodes");
   limits.memory = 1280000;
   EXPECT_EQ(read(lights + "] }", {}, limits).error, "");
+}
+
+TEST(VisualScene, HugeScalesAreErrors) {
+  std::string text = "PointLight {}";
+  for (int i = 0; i < 9; ++i)
+    text = std::string("Transform { scale 1e38 1e38 1e38 children ").append(text).append(" }");
+  EXPECT_EQ(read(text).error.substr(0, 24), "bad_argument: PointLight");
 }
 
 TEST(Inlines, StandWhereTheInlineStands) {

@@ -17,7 +17,7 @@ namespace afx {
 /// go by the mean scale of the matrix; under a singular one the radius is 0. Colours, intensities
 /// and angles are drawn into their ranges, a direction of length 0 is -z.
 ///
-/// to_world   finite
+/// to_world   usable (matrix_parts.h)
 /// Errors  bad_argument: fields that are not numbers, a negative radius or attenuation
 Result<Light> read_light(const nodes::NodeView& node, const glm::dmat4& to_world);
 

@@ -3,6 +3,7 @@
 #include "afx/shapes/look_nodes.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -69,10 +70,14 @@ Result<glm::mat3> read_texture_transform(const NodeView& transform) {
   if (!fields.ok()) return fields.error();
   const double c = std::cos(angle), s = std::sin(angle);
   const glm::dvec2 moved = translation + center;
+  const glm::dvec2 origin(scale.x * (c * moved.x - s * moved.y) - center.x,
+                          scale.y * (s * moved.x + c * moved.y) - center.y);
+  constexpr double kMost = std::numeric_limits<float>::max();
+  if (std::abs(origin.x) > kMost || std::abs(origin.y) > kMost)
+    return bad_node(transform, "moves the texture beyond all size");
   // Columns; the last is where (0, 0) goes.
-  return glm::mat3(glm::dmat3(scale.x * c, scale.y * s, 0, -scale.x * s, scale.y * c, 0,
-                              scale.x * (c * moved.x - s * moved.y) - center.x,
-                              scale.y * (s * moved.x + c * moved.y) - center.y, 1));
+  return glm::mat3(
+      glm::dmat3(scale.x * c, scale.y * s, 0, -scale.x * s, scale.y * c, 0, origin.x, origin.y, 1));
 }
 
 Result<std::shared_ptr<const Picture>> read_texture(const NodeView& texture, const UrlBase& base,

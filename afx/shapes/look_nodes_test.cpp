@@ -82,6 +82,15 @@ TEST(Look, TextureTransformMovesTurnsAndScalesInThisOrder) {
       "TextureTransform: field scale is inf 1 (expected finite numbers)");
 }
 
+TEST(Look, ATextureTransformStaysFinite) {
+  EXPECT_EQ(
+      try_look("Appearance { textureTransform DEF T TextureTransform { scale 1e38 1 translation "
+               "99 0 } }")
+          .error()
+          .text,
+      "TextureTransform \"T\": moves the texture beyond all size");
+}
+
 std::shared_ptr<const Picture> texture_from(const std::string& text, Diagnostics& diagnostics) {
   const auto scene = scene_of("Shape { appearance Appearance { texture " + text + " } }");
   const auto picture = read_texture(first_root(*scene).child("appearance").child("texture"),

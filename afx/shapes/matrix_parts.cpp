@@ -24,10 +24,10 @@ glm::dmat3 rotation_part(const glm::dmat4& matrix) {
   return {x, glm::cross(z, x), z};
 }
 
-bool is_finite(const glm::dmat4& matrix) {
+bool is_usable(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(matrix[column][row])) return false;
+      if (!(std::abs(matrix[column][row]) <= 1e60)) return false;
   return true;
 }
 

@@ -17,7 +17,8 @@ double uniform_scale(const glm::dmat4& matrix);
 /// with x. A singular matrix gives the identity.
 glm::dmat3 rotation_part(const glm::dmat4& matrix);
 
-/// Whether all numbers are finite.
-bool is_finite(const glm::dmat4& matrix);
+/// Whether all numbers are finite and at most 1e60, so that what is reckoned with them is finite
+/// too.
+bool is_usable(const glm::dmat4& matrix);
 
 }  // namespace afx

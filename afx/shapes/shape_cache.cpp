@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "afx/shapes/shape_cache.h"
 
-#include <algorithm>
-
 #include "afx/shapes/geometry_nodes.h"
 #include "afx/shapes/look_nodes.h"
 #include "afx/shapes/surroundings_nodes.h"
@@ -17,13 +15,15 @@ constexpr uint64_t kEntryBytes = 128;  // of a map, and what shares it
 
 }  // namespace
 
-void ShapeCache::take(uint64_t bytes) { left_.memory -= std::min(left_.memory, bytes); }
-
 template <class T>
-std::shared_ptr<const T> ShapeCache::keep(std::map<Path, std::shared_ptr<const T>>& known,
-                                          Path path, std::shared_ptr<const T> value,
-                                          uint64_t bytes) {
-  take(bytes + path.size() * sizeof(uint32_t) + kEntryBytes);
+Result<std::shared_ptr<const T>> ShapeCache::keep(std::map<Path, std::shared_ptr<const T>>& known,
+                                                  Path path, std::shared_ptr<const T> value,
+                                                  uint64_t bytes) {
+  const uint64_t all = bytes + path.size() * sizeof(uint32_t) + kEntryBytes;
+  if (all > left_.memory)
+    return Error{Errc::limit_exceeded, Place::none(),
+                 "the shapes of the scene take more memory than the limit"};
+  left_.memory -= all;
   return known.emplace(std::move(path), std::move(value)).first->second;
 }
 

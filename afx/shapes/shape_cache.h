@@ -27,7 +27,7 @@ class ShapeCache {
   /// left   what all together may take; its memory becomes less by what is kept. Must outlive this
   ShapeCache(UrlBase base, Limits& left) : base_(std::move(base)), left_(left) {}
 
-  /// Errors  those of read_geometry
+  /// Errors  those of read_geometry; for all three limit_exceeded: more than what is left
   Result<std::shared_ptr<const Geometry>> geometry(const nodes::NodeView& node);
   /// Of an Appearance, or of none, with its texture. Errors, warnings: those of look_nodes.h
   Result<std::shared_ptr<const Look>> look(const nodes::NodeView& appearance,
@@ -40,10 +40,9 @@ class ShapeCache {
   using Path = std::vector<uint32_t>;  // NodeView::path
   Result<std::shared_ptr<const Picture>> texture(const nodes::NodeView& node,
                                                  Diagnostics& diagnostics);
-  void take(uint64_t bytes);
   template <class T>
-  std::shared_ptr<const T> keep(std::map<Path, std::shared_ptr<const T>>& known, Path path,
-                                std::shared_ptr<const T> value, uint64_t bytes);
+  Result<std::shared_ptr<const T>> keep(std::map<Path, std::shared_ptr<const T>>& known, Path path,
+                                        std::shared_ptr<const T> value, uint64_t bytes);
 
   UrlBase base_;
   Limits& left_;
