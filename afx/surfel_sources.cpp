@@ -15,14 +15,12 @@
 #include "afx/pixel_pieces.h"
 #include "afx/reference_projection.h"
 #include "afx/voxel_blocks.h"
-#include "afx/voxel_shading.h"
+#include "afx/voxel_surface.h"
 #include "codec/octree_voxels.h"
 #include "codec/parallel.h"
 
 namespace afx {
 namespace {
-
-constexpr float kInsideVoxel = 0.45F;  // of a voxel's side, how far from its centre is inside
 
 /// The pixels of a SimpleTexture, counted from the lower left.
 class SimpleSamples {
@@ -67,26 +65,6 @@ glm::vec3 perpendicular(const glm::vec3& n) {
                          : a.y <= a.z             ? glm::vec3(0, 1, 0)
                                                   : glm::vec3(0, 0, 1);
   return glm::normalize(glm::cross(axis, n));
-}
-
-/// How far above the centre of each voxel, in voxel sides along its normal, the surface lies: as
-/// high as the mean of its neighbours' centres, but well inside the voxel.
-std::vector<float> surface_heights(std::span<const uint64_t> codes,
-                                   std::span<const glm::vec3> normals, const VoxelBlocks& blocks,
-                                   unsigned threads) {
-  std::vector<glm::vec3> centres(codes.size());
-  for (size_t n = 0; n < codes.size(); ++n) {
-    const Voxel v = codec::morton_decode(codes[n]);
-    centres[n] = glm::vec3(glm::uvec3(v.x, v.y, v.z));
-  }
-  const std::vector<glm::vec3> means = smooth(blocks, centres, 1, threads);
-  std::vector<float> heights(codes.size());
-  for (size_t n = 0; n < codes.size(); ++n) {
-    const glm::vec3 a = glm::abs(normals[n]);
-    const float inside = kInsideVoxel / std::max({a.x, a.y, a.z, 0.5F});
-    heights[n] = std::clamp(glm::dot(means[n] - centres[n], normals[n]), -inside, inside);
-  }
-  return heights;
 }
 
 bool is_finite(const glm::dmat4& m) {
@@ -158,8 +136,7 @@ Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Lim
   if (Status memory = check_surfel_memory(voxels.codes.size(), limits); !memory.ok())
     return memory.error();
   const VoxelBlocks blocks(voxels.codes);
-  const std::vector<glm::vec3> normals = surface_normals(voxels.codes, levels, blocks, threads);
-  const std::vector<float> heights = surface_heights(voxels.codes, normals, blocks, threads);
+  const auto [normals, heights] = voxel_surface(voxels.codes, levels, blocks, threads);
   const double side = std::ldexp(1.0, -static_cast<int>(levels));
   const auto half = static_cast<float>(kVoxelHalfSide * side);
   Surfels surfels;

@@ -68,6 +68,26 @@ TEST(Holes, ASphereIsClosedFromEveryDirectionAndDistance) {
   }
 }
 
+TEST(Holes, ASphereOfTiltedDiscsIsClosedFromEveryDirectionAndDistance) {
+  TestModelMaker maker(6);
+  add_sphere(maker, 6, 0.4, kRed);
+  TestModelMaker inner(6);
+  add_sphere(inner, 6, 0.3, kBlue);  // must never be seen
+  const Scene scene{.voxels = {maker.make().smooth_cloud(), inner.make().smooth_cloud()}};
+  RenderOptions options{.width = kSide, .height = kSide, .splat_scale = 1, .samples = 1};
+  options.coarseness = 0;
+  for (const glm::dvec3& direction : directions(50)) {
+    for (const double distance : {0.43, 0.5, 0.8, 1.6, 5.0, 20.0}) {
+      Camera camera = looking_at_origin(direction, distance);
+      EXPECT_EQ(faults(scene, camera, 0.395, options), 0) << distance;
+      camera.projection = Projection::orthographic;
+      camera.view_height = distance;
+      camera.position *= 10 / distance;
+      EXPECT_EQ(faults(scene, camera, 0.395, options), 0) << distance;
+    }
+  }
+}
+
 TEST(Holes, ASphereOfSurfelsIsClosedFromEveryDirectionAndDistance) {
   for (const int n : {20, 60}) {
     Surfels surfels;

@@ -112,7 +112,7 @@ class Renderer {
 
 /// Draws on the CPU: the reference for every other renderer. Needs nothing; the picture is the same
 /// on every machine. Time grows with the pixels that are covered and with the surfels; of octrees
-/// what is hidden or out of view is passed over in whole subtrees. Memory is at most 84 bytes a
+/// what is hidden or out of view is passed over in whole subtrees. Memory is at most 88 bytes a
 /// surfel, 12 a corner of a shape and some 16 a pixel.
 [[nodiscard]] std::unique_ptr<Renderer> make_software_renderer(const Limits& limits = {});
 

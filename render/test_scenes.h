@@ -28,6 +28,11 @@ struct TestModel {
     return {VoxelTree::make(level, codes, colours).value(), glm::dmat4(1)};
   }
   [[nodiscard]] Scene scene() const { return {.voxels = {cloud()}}; }
+  /// With the surface that voxels of models are drawn with.
+  [[nodiscard]] VoxelCloud smooth_cloud() const {
+    const VoxelSurface surface = voxel_surface(codes, level, VoxelBlocks(codes), 1);
+    return {VoxelTree::make(level, codes, colours, &surface).value(), glm::dmat4(1)};
+  }
 };
 
 /// Voxels added in any order, sorted in the end; of several in one place the first stays.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -15,6 +17,7 @@ namespace afx::render {
 namespace {
 
 constexpr uint64_t kMostVoxels = uint64_t{1} << 31;
+constexpr float kLeastAgreement = 0.5F;  // of the normals below a node, for it to have one
 
 /// What is seen of a node from one side: light, times the part of its face that is covered.
 struct Seen {
@@ -23,15 +26,24 @@ struct Seen {
 };
 using SeenSides = std::array<Seen, 6>;
 
+/// The surface in a node: sums over its voxels.
+struct Piece {
+  glm::vec3 normal{0};
+  glm::dvec3 place{0};  // in voxels of the last level, from the corner of the cube
+  uint32_t voxels = 0;
+};
+
 /// The nodes of one level, from which those of the level above are made.
 struct Level {
   std::vector<uint64_t> codes;
   std::vector<SeenSides> seen;  // empty: voxels, which look the same from all sides
+  std::vector<Piece> pieces;
 };
 
 Error bad(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
 
-Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rgba8> colours) {
+Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rgba8> colours,
+             const VoxelSurface* surface) {
   if (level > codec::kMortonLevels) {
     return bad("voxels of level " + std::to_string(level) + " (expected at most " +
                std::to_string(codec::kMortonLevels) + ")");
@@ -39,6 +51,12 @@ Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rg
   if (codes.size() != colours.size()) {
     return bad(std::to_string(codes.size()) + " voxels with " + std::to_string(colours.size()) +
                " colours (expected as many)");
+  }
+  if (surface != nullptr &&
+      (surface->normals.size() != codes.size() || surface->heights.size() != codes.size())) {
+    return bad(std::to_string(codes.size()) + " voxels with " +
+               std::to_string(surface->normals.size()) + " normals and " +
+               std::to_string(surface->heights.size()) + " heights (expected as many)");
   }
   if (codes.size() >= kMostVoxels) {
     return bad(std::to_string(codes.size()) + " voxels (expected fewer than 2^31)");
@@ -81,6 +99,52 @@ SeenSides seen_of_voxel(Rgba8 colour) {
   return seen;
 }
 
+std::vector<Piece> pieces_of(std::span<const uint64_t> codes, const VoxelSurface* surface) {
+  std::vector<Piece> pieces(codes.size());
+  for (size_t i = 0; i < codes.size(); ++i) {
+    const Voxel v = codec::morton_decode(codes[i]);
+    pieces[i] = {glm::vec3(0), glm::dvec3(v.x, v.y, v.z) + 0.5, 1};
+    if (surface == nullptr) continue;
+    pieces[i].normal = surface->normals[i];
+    pieces[i].place += glm::dvec3(surface->normals[i] * surface->heights[i]);
+  }
+  return pieces;
+}
+
+void add(Piece& sum, const Piece& piece) {
+  sum.normal += piece.normal;
+  sum.place += piece.place;
+  sum.voxels += piece.voxels;
+}
+
+/// depth   levels from the node down to the voxels
+VoxelTree::Facet facet_of(const Piece& piece, uint64_t code, unsigned depth) {
+  const Voxel v = codec::morton_decode(code);
+  const double side = std::ldexp(1.0, static_cast<int>(depth)), count = piece.voxels;
+  const glm::dvec3 centre = (glm::dvec3(v.x, v.y, v.z) + 0.5) * side;
+  const glm::dvec3 shift = (piece.place / count - centre) / (side / 2);
+  const float length = glm::length(piece.normal);
+  const bool is_known = length > kLeastAgreement * static_cast<float>(count);
+  if (!is_known) return {};
+  const glm::vec3 normal = piece.normal / length;
+  const auto part = [](double x) {
+    return static_cast<int8_t>(std::lround(127 * std::clamp(x, -1.0, 1.0)));
+  };
+  VoxelTree::Facet facet{};
+  for (int k = 0; k < 3; ++k) {
+    facet.normal[k] = part(static_cast<double>(normal[k]));
+    facet.shift[k] = part(shift[k]);
+  }
+  return facet;
+}
+
+std::vector<VoxelTree::Facet> facets_of(const Level& level, unsigned depth) {
+  std::vector<VoxelTree::Facet> facets(level.codes.size());
+  for (size_t i = 0; i < facets.size(); ++i)
+    facets[i] = facet_of(level.pieces[i], level.codes[i], depth);
+  return facets;
+}
+
 /// The nodes above those of `below`, and their branches.
 Level parents(const Level& below, std::span<const Rgba8> colours,
               std::vector<VoxelTree::Branch>& branches) {
@@ -89,9 +153,11 @@ Level parents(const Level& below, std::span<const Rgba8> colours,
     const uint64_t code = below.codes[i] >> 3;
     std::array<SeenSides, 8> children{};
     VoxelTree::Branch branch{static_cast<uint32_t>(i), 0};
+    Piece piece;
     for (; i < below.codes.size() && below.codes[i] >> 3 == code; ++i) {
       const unsigned child = below.codes[i] & 7;
       branch.symbol |= static_cast<uint8_t>(1U << child);
+      add(piece, below.pieces[i]);
       children[child] = below.seen.empty() ? seen_of_voxel(colours[i]) : below.seen[i];
     }
     SeenSides seen;
@@ -99,6 +165,7 @@ Level parents(const Level& below, std::span<const Rgba8> colours,
       seen[static_cast<size_t>(side)] = seen_from(side, children);
     level.codes.push_back(code);
     level.seen.push_back(seen);
+    level.pieces.push_back(piece);
     branches.push_back(branch);
   }
   return level;
@@ -119,18 +186,22 @@ std::vector<VoxelTree::Sides> colours_of(const Level& level) {
 
 Result<std::shared_ptr<const VoxelTree>> VoxelTree::make(unsigned level,
                                                          std::span<const uint64_t> codes,
-                                                         std::span<const Rgba8> colours) {
-  if (Status s = check(level, codes, colours); !s.ok()) return s.error();
+                                                         std::span<const Rgba8> colours,
+                                                         const VoxelSurface* surface) {
+  if (Status s = check(level, codes, colours, surface); !s.ok()) return s.error();
   const std::shared_ptr<VoxelTree> tree(new VoxelTree);
   tree->branches_.resize(level);
   tree->sides_.resize(level);
   tree->colours_.assign(colours.begin(), colours.end());
   for (Rgba8& colour : tree->colours_) colour.a = 255;
-  Level nodes{{codes.begin(), codes.end()}, {}};
+  tree->facets_.resize(level + 1);
+  Level nodes{{codes.begin(), codes.end()}, {}, pieces_of(codes, surface)};
+  tree->facets_[level] = facets_of(nodes, 0);
   for (unsigned at = level; at-- > 0;) {
     nodes = parents(nodes, colours, tree->branches_[at]);
     tree->branches_[at].shrink_to_fit();
     tree->sides_[at] = colours_of(nodes);
+    tree->facets_[at] = facets_of(nodes, level - at);
   }
   return std::shared_ptr<const VoxelTree>(tree);
 }
@@ -154,6 +225,7 @@ uint64_t VoxelTree::bytes() const {
   uint64_t bytes = colours_.size() * sizeof(Rgba8);
   for (const auto& level : branches_) bytes += level.size() * sizeof(Branch);
   for (const auto& level : sides_) bytes += level.size() * sizeof(Sides);
+  for (const auto& level : facets_) bytes += level.size() * sizeof(Facet);
   return bytes;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "afx/picture.h"
+#include "afx/voxel_surface.h"
 #include "codec/error.h"
 
 namespace afx::render {
@@ -35,15 +36,26 @@ class VoxelTree {
     Rgba8 from[6];
   };
 
-  /// The tree of a set of voxels. Takes up to 60 bytes a voxel while it works.
+  /// The piece of surface in a node: a disc around a point in it. Numbers are parts of 127.
+  struct Facet {
+    int8_t
+        normal[3];    ///< outwards, of length 1; (0, 0, 0): it has none and always faces the viewer
+    int8_t shift[3];  ///< from the node's centre, in halves of its side
+  };
+
+  /// The tree of a set of voxels. Takes up to 80 bytes a voxel while it works.
   ///
   /// level    of the voxels, at most codec::kMortonLevels
   /// codes    Morton codes (codec/octree_voxels.h), ascending, no doubles; fewer than 2^31
   /// colours  sRGB, one for each code; drawn opaque, a is not looked at
+  /// surface  of the voxels (afx/voxel_surface.h); null: all facets lie in the middle of their
+  /// nodes
+  ///          and have no normal
   /// Errors   bad_argument: one of these does not hold (the text says which)
   static Result<std::shared_ptr<const VoxelTree>> make(unsigned level,
                                                        std::span<const uint64_t> codes,
-                                                       std::span<const Rgba8> colours);
+                                                       std::span<const Rgba8> colours,
+                                                       const VoxelSurface* surface = nullptr);
 
   /// The level of the voxels.
   [[nodiscard]] unsigned level() const { return static_cast<unsigned>(branches_.size()); }
@@ -58,6 +70,8 @@ class VoxelTree {
   [[nodiscard]] std::span<const Rgba8> colours() const { return colours_; }
   /// Of the nodes of a level above the last.
   [[nodiscard]] std::span<const Sides> sides(unsigned level) const { return sides_[level]; }
+  /// Of any level, one for each of its nodes.
+  [[nodiscard]] std::span<const Facet> facets(unsigned at) const { return facets_[at]; }
   /// The nodes of a level as Morton codes, ascending. Eight bytes a node, made anew each time.
   [[nodiscard]] std::vector<uint64_t> codes(unsigned level) const;
   /// Memory that it holds.
@@ -68,6 +82,7 @@ class VoxelTree {
 
   std::vector<std::vector<Branch>> branches_;  // by level, without the last
   std::vector<std::vector<Sides>> sides_;      // likewise
+  std::vector<std::vector<Facet>> facets_;     // by level
   std::vector<Rgba8> colours_;
 };
 

@@ -49,7 +49,9 @@ Result<std::shared_ptr<const render::VoxelTree>> Drawing::colour(const OctreeMod
   const auto coloured = colour_octree(model, level, session_.options.threads, left_, diagnostics_);
   if (!coloured.ok()) return coloured.error();
   const ColouredVoxels& voxels = coloured.value();
-  auto tree = render::VoxelTree::make(voxels.level, voxels.codes, voxels.colours);
+  const VoxelSurface surface = voxel_surface(voxels.codes, voxels.level, VoxelBlocks(voxels.codes),
+                                             session_.options.threads);
+  auto tree = render::VoxelTree::make(voxels.level, voxels.codes, voxels.colours, &surface);
   if (tree.ok()) left_.memory -= std::min(left_.memory, tree.value()->bytes());
   return tree;
 }

@@ -9,16 +9,17 @@
 #include <limits>
 
 #include "afx/srgb.h"
-#include "render/software/splats.h"
 
 namespace afx::render {
 namespace {
 
 constexpr double kBulge = 0.5;  // a part of the node's shortest side; see renderer.h
 constexpr double kFarAway = 8;  // nodes so many of their reaches away are reckoned in floats
+constexpr float kLeastStretch = 0.25F;  // a disc nearer to the eye is not bounded closely
 constexpr double kMostFloat = 1e12, kLeastFloat = 1e-12;  // these and their squares are floats
 
-OctreeView::Size size_of(const glm::dmat3& cube, unsigned level, const Lens& lens, SplatKind kind) {
+OctreeView::Size size_of(const glm::dmat3& cube, unsigned level, const Lens& lens, double scale,
+                         SplatKind kind) {
   OctreeView::Size size{};
   const double part = std::ldexp(1.0, -static_cast<int>(level));
   const glm::dmat3 axes(cube[0] * part, cube[1] * part, cube[2] * part);
@@ -41,12 +42,25 @@ OctreeView::Size size_of(const glm::dmat3& cube, unsigned level, const Lens& len
     size.half_depth = std::max(size.half_depth, std::abs(h.z));
     size.flat_radius = std::max(size.flat_radius, glm::length(glm::dvec2(h)) * lens.focal);
   }
+  size.shift = glm::dmat3(axes[0] / 254.0, axes[1] / 254.0, axes[2] / 254.0);
   const double sides[] = {glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])};
   size.side = std::max({sides[0], sides[1], sides[2]});
   const double shortest = std::min({sides[0], sides[1], sides[2]});
+  size.radius = OctreeView::kFacetRadius * scale * size.side;
   size.bulge = static_cast<float>(kBulge * shortest);
   size.tolerance = kind == SplatKind::smooth ? static_cast<float>(kTolerance * shortest) : 0;
   return size;
+}
+
+/// Up to a factor; normals are made unit vectors afterwards.
+glm::dmat3 normal_matrix(const glm::dmat3& axes, const glm::dmat3& inverse) {
+  const double side = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+  const glm::dmat3 normals = glm::transpose(inverse) * side;
+  for (int k = 0; k < 3; ++k) {
+    const double length = glm::length(normals[k]);
+    if (!(length > kLeastFloat && length < kMostFloat)) return glm::dmat3(0);
+  }
+  return normals;
 }
 
 }  // namespace
@@ -61,9 +75,10 @@ OctreeView::OctreeView(const VoxelCloud& cloud, const Lens& lens, const RenderOp
       coarseness_(options.coarseness),
       axes_(lens.to_view * glm::dmat3(cloud.local_to_world)),
       to_cube_(glm::inverse(axes_)),
+      normals_(normal_matrix(axes_, to_cube_)),
       root_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)) {
   for (unsigned level = 0; level <= last_; ++level)
-    sizes_.push_back(size_of(axes_, level, lens, options.splats));
+    sizes_.push_back(size_of(axes_, level, lens, scale_, options.splats));
 }
 
 bool OctreeView::is_last(unsigned level, const glm::dvec3& parent) const {
@@ -83,7 +98,7 @@ unsigned OctreeView::nearest_child(const glm::dvec3& ray) const {
 
 /// Before scaling. A corner c + h projects to (c.x + h.x)/(c.d + h.d), which is off the centre's
 /// place by (h.x - c.x/c.d h.d)/(c.d + h.d); c.d + h.d is least at the nearest corner.
-double OctreeView::radius(const glm::dvec3& centre, const Size& size) const {
+double OctreeView::facing_radius(const glm::dvec3& centre, const Size& size) const {
   if (!lens_.perspective) return size.flat_radius;
   const double distance = -centre.z;
   if (distance < 2 * size.half_depth) return lens_.focal * size.reach / distance;
@@ -96,20 +111,44 @@ double OctreeView::radius(const glm::dvec3& centre, const Size& size) const {
   return lens_.focal * std::sqrt(longest) / (distance - size.half_depth);
 }
 
-void OctreeView::project_exactly(const glm::dvec3& centre, unsigned level, int child,
-                                 EightDiscs& out) const {
+void OctreeView::project_tilted(const glm::dvec3& centre, const glm::dvec3& normal, unsigned level,
+                                unsigned i, EightDiscs& out) const {
+  const double distance = -centre.z;
+  const double zoom = lens_.zoom_at(distance);
+  const double radius = std::max(sizes_[level].radius, double{kLeastRadius} / zoom);
+  double reach = radius * zoom;
+  if (lens_.perspective) {
+    const double x = centre.x / distance, y = centre.y / distance;
+    const double part = 1 - radius / distance;
+    reach = part > 0.25 ? reach * (1 + (x * x + y * y) / 2) / part : kMostRadius;
+  }
+  if (!lens_.on_screen(lens_.place(centre), std::min(reach, kMostRadius))) return;
+  out.reach[i] = static_cast<float>(std::min(reach, kMostRadius));
+  out.radius[i] = static_cast<float>(radius);
+  out.nx[i] = static_cast<float>(normal.x);
+  out.ny[i] = static_cast<float>(normal.y);
+  out.nz[i] = static_cast<float>(normal.z);
+}
+
+void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Facet& facet,
+                                 unsigned level, unsigned i, EightDiscs& out) const {
   const Size& size = sizes_[level];
-  out.x[child] = out.y[child] = out.depth[child] = 0;
-  out.radius[child] = -1;
-  if (!lens_.in_view(centre, scale_ * size.reach)) return;
-  const glm::dvec2 at = lens_.place(centre);
-  const double wanted = points_ ? 0 : radius(centre, size) * scale_;
+  const glm::dvec3 point =
+      centre + size.shift * glm::dvec3(facet.shift[0], facet.shift[1], facet.shift[2]);
+  const glm::dvec2 at = lens_.place(point);
+  out.x[i] = static_cast<float>(at.x);
+  out.y[i] = static_cast<float>(at.y);
+  out.depth[i] = static_cast<float>(-point.z);
+  out.nx[i] = out.ny[i] = out.nz[i] = 0;
+  out.reach[i] = out.radius[i] = -1;
+  if (!lens_.in_view(point, std::max(scale_ * size.reach, size.radius))) return;
+  const glm::dvec3 normal =
+      normals_ * glm::dvec3(facet.normal[0], facet.normal[1], facet.normal[2]);
+  const double length = glm::length(normal);
+  if (length > 0 && !points_) return project_tilted(point, normal / length, level, i, out);
+  const double wanted = points_ ? 0 : facing_radius(point, size) * scale_;
   const double r = std::clamp(wanted, double{kLeastRadius}, kMostRadius);
-  if (!lens_.on_screen(at, r)) return;
-  out.x[child] = static_cast<float>(at.x);
-  out.y[child] = static_cast<float>(at.y);
-  out.depth[child] = static_cast<float>(-centre.z);
-  out.radius[child] = static_cast<float>(r);
+  if (lens_.on_screen(at, r)) out.reach[i] = out.radius[i] = static_cast<float>(r);
 }
 
 /// Whether the children of a node lie clearly before the eye, and all numbers are ordinary ones.
@@ -122,42 +161,142 @@ bool OctreeView::is_far(const glm::dvec3& parent, unsigned level) const {
          lens_.focal > kLeastFloat;
 }
 
-void OctreeView::project(const glm::dvec3& parent, unsigned level, EightDiscs& out) const {
-  const Size& size = sizes_[level];
-  if (!is_far(parent, level)) {
-    for (int i = 0; i < 8; ++i) project_exactly(parent + size.offsets[i], level, i, out);
-    return;
+void OctreeView::gather(VoxelTree::Branch branch, unsigned level, EightFacets& facets) const {
+  facets = {};
+  const std::span<const VoxelTree::Facet> all = tree_->facets(level);
+  uint32_t number = branch.first_child;
+  for (unsigned i = 0; i < 8; ++i) {
+    if ((branch.symbol >> i & 1U) == 0) continue;
+    const VoxelTree::Facet& facet = all[number++];
+    facets.sx[i] = facet.shift[0];
+    facets.sy[i] = facet.shift[1];
+    facets.sz[i] = facet.shift[2];
+    if (points_) continue;
+    facets.nx[i] = facet.normal[0];
+    facets.ny[i] = facet.normal[1];
+    facets.nz[i] = facet.normal[2];
   }
-  const auto px = static_cast<float>(parent.x), py = static_cast<float>(parent.y);
-  const auto distance = static_cast<float>(-parent.z), focal = static_cast<float>(lens_.focal);
-  const auto middle_x = static_cast<float>(lens_.middle.x);
-  const auto middle_y = static_cast<float>(lens_.middle.y);
+}
+
+/// project_exactly for eight at once, in floats.
+void OctreeView::project_far(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
+                             EightDiscs& out) const {
+  const Size& size = sizes_[level];
+  const glm::mat3 shift(size.shift), turn(normals_);
+  const glm::vec3 c(centre);
+  const auto focal = static_cast<float>(lens_.focal);
+  const glm::vec2 middle(lens_.middle);
+  const float perspective = lens_.perspective ? 1.0F : 0.0F;
   const auto scale = static_cast<float>(points_ ? 0 : scale_);
   const auto half_depth = static_cast<float>(size.half_depth);
-  if (!lens_.perspective) {
-    const float radius = std::max(static_cast<float>(size.flat_radius) * scale, kLeastRadius);
-    for (int i = 0; i < 8; ++i) {
-      out.depth[i] = distance - size.z[i];
-      out.x[i] = middle_x + (px + size.x[i]) * focal;
-      out.y[i] = middle_y - (py + size.y[i]) * focal;
-      out.radius[i] = radius;
-    }
-    return;
-  }
+  const auto facet_radius = static_cast<float>(size.radius);
+  const auto flat_radius = static_cast<float>(size.flat_radius);
   for (int i = 0; i < 8; ++i) {
-    const float depth = distance - size.z[i];
-    const float x = (px + size.x[i]) / depth, y = (py + size.y[i]) / depth;
+    const float sx = facets.sx[i], sy = facets.sy[i], sz = facets.sz[i];
+    const float px = c.x + size.x[i] + (shift[0].x * sx + shift[1].x * sy + shift[2].x * sz);
+    const float py = c.y + size.y[i] + (shift[0].y * sx + shift[1].y * sy + shift[2].y * sz);
+    const float pz = c.z + size.z[i] + (shift[0].z * sx + shift[1].z * sy + shift[2].z * sz);
+    const float depth = -pz;
+    const float inverse = perspective != 0 ? 1 / depth : 1.0F;
+    const float x = px * inverse, y = py * inverse, zoom = focal * inverse;
+    out.depth[i] = depth;
+    out.x[i] = middle.x + x * focal;
+    out.y[i] = middle.y - y * focal;
+
+    const float lx = facets.nx[i], ly = facets.ny[i], lz = facets.nz[i];
+    const float nx = turn[0].x * lx + turn[1].x * ly + turn[2].x * lz;
+    const float ny = turn[0].y * lx + turn[1].y * ly + turn[2].y * lz;
+    const float nz = turn[0].z * lx + turn[1].z * ly + turn[2].z * lz;
+    const float square = nx * nx + ny * ny + nz * nz;
+    const bool tilted = square > 0;
+    const float unit = tilted ? 1 / std::sqrt(square) : 0.0F;
+    out.nx[i] = nx * unit;
+    out.ny[i] = ny * unit;
+    out.nz[i] = nz * unit;
+
     float longest = 0;
     for (int k = 0; k < 4; ++k) {
       const float dx = size.dx[k] + x * size.dz[k], dy = size.dy[k] + y * size.dz[k];
       longest = std::max(longest, dx * dx + dy * dy);
     }
-    out.depth[i] = depth;
-    out.x[i] = middle_x + x * focal;
-    out.y[i] = middle_y - y * focal;
-    out.radius[i] =
-        std::max(focal * std::sqrt(longest) / (depth - half_depth) * scale, kLeastRadius);
+    const float facing =
+        perspective != 0 ? focal * std::sqrt(longest) / (depth - half_depth) : flat_radius;
+    const float disc = std::max(facing * scale, kLeastRadius);
+    const float radius = std::max(facet_radius, kLeastRadius / zoom);
+    const float reach = radius * zoom * (1 + perspective * (x * x + y * y) / 2) /
+                        (1 - perspective * radius * inverse);
+    out.radius[i] = tilted ? radius : disc;
+    out.reach[i] = tilted ? reach : disc;
   }
+}
+
+void OctreeView::project(const glm::dvec3& centre, VoxelTree::Branch branch, unsigned level,
+                         EightDiscs& out) const {
+  if (is_far(centre, level)) {
+    EightFacets facets;
+    gather(branch, level, facets);
+    return project_far(centre, facets, level, out);
+  }
+  uint32_t number = branch.first_child;
+  for (unsigned i = 0; i < 8; ++i) {
+    if ((branch.symbol >> i & 1U) == 0) continue;
+    project_exactly(centre + sizes_[level].offsets[i], tree_->facets(level)[number++], level, i,
+                    out);
+  }
+}
+
+void OctreeView::project_root(EightDiscs& out) const {
+  project_exactly(root_, tree_->facets(0)[0], 0, 0, out);
+}
+
+/// The ray through a sample is r = r0 + w (x, -y, 0) / d, r0 that through the centre at depth d, w
+/// the scene units of a sample there. It meets the plane n . (p - c) = 0 at the depth
+/// d (n . r0) / (n . r), which is d + k e of Tilt with e = -w (n.x x - n.y y) / (n . r0). There
+/// p - c = k (e r0 + w (x, -y, 0)), whose square is `out` times that of the radius. In parallel
+/// projection r0 = (0, 0, -1). A disc seen so much from the side that it would be narrower than
+/// kLeastRadius is turned a little.
+void OctreeView::complete(const EightDiscs& discs, unsigned i, unsigned level, Splat& splat,
+                          Tilt* tilt) const {
+  const Size& size = sizes_[level];
+  const float depth = discs.depth[i], radius = discs.radius[i];
+  const glm::vec3 n(discs.nx[i], discs.ny[i], discs.nz[i]);
+  const bool tilted = n.x != 0 || n.y != 0 || n.z != 0;
+  const float deep = tilted ? radius * std::sqrt(n.x * n.x + n.y * n.y) : 0;
+  splat.x = discs.x[i];
+  splat.y = discs.y[i];
+  splat.reach_x = splat.reach_y = discs.reach[i];
+  splat.depth = depth;
+  splat.nearest = depth - deep;
+  splat.tolerance = size.tolerance;
+  if (tilt == nullptr) return;
+  if (!tilted) {
+    const float inverse = 1 / (radius * radius);
+    *tilt = {0, 0, 0, inverse, 0, inverse, size.bulge};
+    return;
+  }
+  const auto focal = static_cast<float>(lens_.focal);
+  const float w = (lens_.perspective ? depth : 1) / focal;
+  glm::vec3 ray(0, 0, -1);
+  if (lens_.perspective) {
+    ray.x = (splat.x - static_cast<float>(lens_.middle.x)) / focal;
+    ray.y = (static_cast<float>(lens_.middle.y) - splat.y) / focal;
+  }
+  const float least = kLeastRadius * w / radius * glm::length(ray);
+  const float straight = glm::dot(n, ray);
+  const float facing = std::copysign(std::max(std::abs(straight), least), straight);
+  const float e_x = -w * n.x / facing, e_y = w * n.y / facing;
+  const glm::vec3 along_x = e_x * ray + glm::vec3(w, 0, 0);
+  const glm::vec3 along_y = e_y * ray - glm::vec3(0, w, 0);
+  const float inverse = 1 / (radius * radius);
+  const float a = glm::dot(along_x, along_x) * inverse, b = glm::dot(along_x, along_y) * inverse,
+              c = glm::dot(along_y, along_y) * inverse;
+  const float nearness = lens_.perspective ? 1 / depth : 0;
+  *tilt = {e_x, e_y, nearness, a, b, c, 0};
+  const float area = a * c - b * b;
+  const float stretch = 1 / std::max(kLeastStretch, 1 - nearness * deep);
+  if (!(area > 0) || stretch > 1 / (2 * kLeastStretch)) return;
+  splat.reach_x = std::min(splat.reach_x, std::sqrt(c / area) * stretch);
+  splat.reach_y = std::min(splat.reach_y, std::sqrt(a / area) * stretch);
 }
 
 OctreeView::SideWeights OctreeView::side_weights(const glm::dvec3& centre) const {
@@ -183,16 +322,19 @@ glm::vec3 OctreeView::light(unsigned level, uint32_t number, const SideWeights& 
   return light;
 }
 
-/// Descendants have their centres in the node, and discs not larger than their enclosing spheres
-/// times the scale. A ball of radius r at distance d, its nearest point d - r away, reaches on the
-/// screen at most r sqrt(1 + x^2 + y^2) / (d - r) from its centre at the slopes x, y.
+/// Discs of descendants have their centres in the node, and are not larger than those of the level
+/// after next, if the next is not drawn itself. A ball of radius r at distance d, its nearest point
+/// d - r away, reaches on the screen at most r sqrt(1 + x^2 + y^2) / (d - r) from its centre at the
+/// slopes x, y.
 OctreeView::Bound OctreeView::bound(const glm::dvec3& centre, unsigned level) const {
   const Size& size = sizes_[level];
+  const Size& next = sizes_[is_last(level + 1, centre) ? level + 1 : level + 2];
   constexpr float kNoBound = std::numeric_limits<float>::infinity();
   const double distance = -centre.z;
-  const double reach = size.reach * (1 + (scale_ - 1) / 2) * 1.001;
+  const double reach = (size.reach + std::max(next.radius, next.reach * scale_)) * 1.001;
   const auto depth = static_cast<float>(
-      (distance - size.half_depth - static_cast<double>(size.tolerance)) * (1 - 1e-6));
+      (distance - size.half_depth - next.radius - static_cast<double>(next.tolerance)) *
+      (1 - 1e-6));
   if (distance + size.half_depth < lens_.near_plane) return {0, 0, -kNoBound, kNoBound};
   if (!lens_.perspective) {
     const glm::dvec2 at = lens_.place(centre);

@@ -13,34 +13,45 @@
 #include "render/lens.h"
 #include "render/renderer.h"
 #include "render/scene.h"
+#include "render/software/splats.h"
 
 namespace afx::render {
 
-/// The eight children of a node as discs: element i is child i, whether it is there or not. Places
-/// and radii in samples; the radius is negative where there is nothing to be seen.
+/// The eight children of a node as discs: element i is child i, whether it is there or not.
 struct EightDiscs {
-  float x[8], y[8], depth[8], radius[8];
+  float x[8], y[8];           ///< in samples
+  float depth[8];             ///< of the centre
+  float reach[8];             ///< how far it is seen around (x, y); negative: nothing is to be seen
+  float radius[8];            ///< in scene units; facing discs: in samples
+  float nx[8], ny[8], nz[8];  ///< the normal in the camera's system; (0, 0, 0): it faces the viewer
 };
 
 /// The nodes of one cloud as one camera sees them.
 ///
-/// The radius of a node's disc is half the longest of its four space diagonals as projected, with
-/// the depth of its nearest corner, so that the disc holds the whole projection of the node; times
-/// RenderOptions::splat_scale. A node nearer than its own size is drawn as its enclosing sphere.
-/// This is the paper's rule (section VI) for every node by itself instead of for cells.
+/// A node whose facet has a normal is the disc around the facet's point at right angles to it, with
+/// kFacetRadius of the node's side as radius: large enough to overlap its neighbours on any smooth
+/// surface. One without is a disc that faces the viewer; its radius is half the longest of the
+/// node's four space diagonals as projected, with the depth of its nearest corner, so that it holds
+/// the whole projection of the node (a node nearer than its own size: its enclosing sphere). That
+/// is the paper's rule (section VI) for every node by itself instead of for cells. Both radii are
+/// multiplied by RenderOptions::splat_scale, and no disc is narrower than kLeastRadius.
 class OctreeView {
  public:
+  static constexpr double kFacetRadius = 0.9;
+
   /// What the nodes of a level have in common.
   struct Size {
     glm::dvec3 offsets[8];      ///< from the centre of a node of the level above to its children's
-    float x[8], y[8], z[8];     ///< the same
     glm::dvec3 diagonals[4];    ///< from the centre to a corner
-    float dx[4], dy[4], dz[4];  ///< the same
+    float x[8], y[8], z[8];     ///< the offsets
+    float dx[4], dy[4], dz[4];  ///< the diagonals
+    glm::dmat3 shift;           ///< takes a facet's shift to the camera's system
     double side;                ///< the longest
     double reach;               ///< the longest of the diagonals
     double half_depth;          ///< the largest part of them along z
-    double flat_radius;         ///< parallel projection: of every node, in samples
-    float bulge, tolerance;     ///< see Splat
+    double radius;              ///< of a disc with a normal, in scene units
+    double flat_radius;         ///< parallel projection: of every disc without, in samples
+    float bulge, tolerance;     ///< see Splat, Tilt
   };
 
   /// cloud, options   checked; all must outlive it
@@ -60,12 +71,16 @@ class OctreeView {
   /// along `ray` (in the camera's system).
   [[nodiscard]] unsigned nearest_child(const glm::dvec3& ray) const;
 
-  /// The children of a node, of `level`.
-  void project(const glm::dvec3& parent, unsigned level, EightDiscs& out) const;
-  /// A node by itself, as element 0.
-  void project_one(const glm::dvec3& centre, unsigned level, EightDiscs& out) const {
-    project_exactly(centre, level, 0, out);
-  }
+  /// The children of a node, of `level`. centre, branch   of the node
+  void project(const glm::dvec3& centre, VoxelTree::Branch branch, unsigned level,
+               EightDiscs& out) const;
+  /// The root by itself, as element 0.
+  void project_root(EightDiscs& out) const;
+
+  /// A disc that is to be seen: all but its light. tilt   may be null: it is not wanted, and the
+  /// reach is not as close as it could be
+  void complete(const EightDiscs& discs, unsigned i, unsigned level, Splat& splat,
+                Tilt* tilt) const;
 
   /// How much each side of the nodes around a place counts as it is seen from the eye, in the order
   /// of VoxelTree::Sides: the squares of the cosines, 0 for those turned away.
@@ -85,9 +100,19 @@ class OctreeView {
   [[nodiscard]] Bound bound(const glm::dvec3& centre, unsigned level) const;
 
  private:
+  /// The facets of the children that are there, in lanes; zero for the others.
+  struct EightFacets {
+    float sx[8], sy[8], sz[8], nx[8], ny[8], nz[8];
+  };
   [[nodiscard]] bool is_far(const glm::dvec3& parent, unsigned level) const;
-  void project_exactly(const glm::dvec3& centre, unsigned level, int child, EightDiscs& out) const;
-  [[nodiscard]] double radius(const glm::dvec3& centre, const Size& size) const;
+  void gather(VoxelTree::Branch branch, unsigned level, EightFacets& facets) const;
+  void project_far(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
+                   EightDiscs& out) const;
+  void project_exactly(const glm::dvec3& centre, const VoxelTree::Facet& facet, unsigned level,
+                       unsigned i, EightDiscs& out) const;
+  void project_tilted(const glm::dvec3& centre, const glm::dvec3& normal, unsigned level,
+                      unsigned i, EightDiscs& out) const;
+  [[nodiscard]] double facing_radius(const glm::dvec3& centre, const Size& size) const;
 
   const VoxelTree* tree_;
   const Lens& lens_;
@@ -98,6 +123,7 @@ class OctreeView {
   double coarseness_;
   glm::dmat3 axes_;     // of the cube, in the camera's system
   glm::dmat3 to_cube_;  // the other way round; not finite where the cube is flat
+  glm::dmat3 normals_;  // takes normals to the camera's system; zero where the cube is flat
   glm::dvec3 root_;
   std::vector<Size> sizes_;  // by level
 };

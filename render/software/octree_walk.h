@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/software/octree_view.h"
+#include "render/software/splat_painter.h"
 #include "render/software/splats.h"
 #include "render/software/tile_samples.h"
 
@@ -29,9 +30,10 @@ inline constexpr std::array<uint8_t, 256> kOnes = [] {
 /// What is passed over cannot change the picture.
 class OctreeWalk {
  public:
-  /// Calls emit(splat) for the nodes to be drawn. It may draw them into `tile` at once.
+  /// Calls emit(splat, tilt) for the nodes to be drawn. It may draw them into `tile` at once.
   template <class Emit>
   void run(const OctreeView& view, TileSamples& tile, const Emit& emit) {
+    tile_ = &tile;
     if (view.tree().voxels() == 0) return;
     begin(view, tile);
     if (view.last_level() == 0) return emit_root(view, emit);
@@ -65,7 +67,7 @@ class OctreeWalk {
     const VoxelTree::Branch branch = view.tree().branches(node.level)[node.number];
     const unsigned level = node.level + 1;
     if (view.is_last(level, node.centre)) {
-      view.project(node.centre, level, discs_);
+      view.project(node.centre, branch, level, discs_);
       if (level < view.tree().level()) weights_ = view.side_weights(node.centre);
       return for_children(branch, 0, [&](unsigned i, uint32_t number) {
         this->emit_disc(view, level, i, number, emit);
@@ -92,19 +94,25 @@ class OctreeWalk {
   template <class Emit>
   void emit_disc(const OctreeView& view, unsigned level, unsigned i, uint32_t number,
                  const Emit& emit) const {
-    if (discs_.radius[i] < 0 || !touches(discs_.x[i], discs_.y[i], discs_.radius[i])) return;
-    const OctreeView::Size& size = view.size(level);
-    emit(Splat{discs_.x[i], discs_.y[i], discs_.radius[i], discs_.depth[i], size.bulge,
-               size.tolerance, view.light(level, number, weights_)});
+    if (discs_.reach[i] < 0 || !touches(discs_.x[i], discs_.y[i], discs_.reach[i])) return;
+    Splat splat;
+    Tilt tilt;
+    view.complete(discs_, i, level, splat, nullptr);
+    if (painter_.is_hidden(splat, *tile_)) return;
+    view.complete(discs_, i, level, splat, &tilt);
+    splat.light = view.light(level, number, weights_);
+    emit(splat, tilt);
   }
 
   template <class Emit>
   void emit_root(const OctreeView& view, const Emit& emit) {
-    view.project_one(view.root(), 0, discs_);
+    view.project_root(discs_);
     weights_ = view.side_weights(view.root());
     emit_disc(view, 0, 0, 0, emit);
   }
 
+  const SplatPainter& painter_ = SplatPainter::best();
+  const TileSamples* tile_ = nullptr;
   std::vector<Entry> stack_;
   EightDiscs discs_;
   OctreeView::SideWeights weights_{};

@@ -16,6 +16,11 @@
 namespace afx::render {
 namespace {
 
+struct VoxelSplat {
+  Splat splat;
+  Tilt tilt;
+};
+
 /// All splats of a tree in the order of the walk, whether they can be seen or not.
 class PlainWalk {
  public:
@@ -23,14 +28,14 @@ class PlainWalk {
       : view_(view), nearest_(view.nearest_child(ray)) {
     visit(0, 0, view.root());
   }
-  std::vector<Splat> splats;
+  std::vector<VoxelSplat> splats;
 
  private:
   void visit(unsigned level, uint32_t number, const glm::dvec3& centre) {
     const VoxelTree::Branch branch = view_.tree().branches(level)[number];
     const bool last = view_.is_last(level + 1, centre);
     EightDiscs discs;
-    view_.project(centre, level + 1, discs);
+    view_.project(centre, branch, level + 1, discs);
     const OctreeView::SideWeights weights = view_.side_weights(centre);
     for (unsigned k = 0; k < 8; ++k) {
       const unsigned i = nearest_ ^ k;
@@ -40,9 +45,10 @@ class PlainWalk {
       const OctreeView::Size& size = view_.size(level + 1);
       if (!last) {
         visit(level + 1, child, centre + size.offsets[i]);
-      } else if (discs.radius[i] > 0) {
-        splats.push_back({discs.x[i], discs.y[i], discs.radius[i], discs.depth[i], size.bulge,
-                          size.tolerance, view_.light(level + 1, child, weights)});
+      } else if (discs.reach[i] > 0) {
+        splats.emplace_back();
+        view_.complete(discs, i, level + 1, splats.back().splat, &splats.back().tilt);
+        splats.back().splat.light = view_.light(level + 1, child, weights);
       }
     }
   }
@@ -70,19 +76,19 @@ Counts expect_equal(const Scene& scene, const Camera& camera, const RenderOption
   OctreeWalk walk;
   Counts counts;
   for (uint32_t tile = 0; tile < frame.grid.columns * frame.grid.rows; ++tile) {
-    std::vector<Splat> all, seen;
+    std::vector<VoxelSplat> all, seen;
     walked.clear(tile % frame.grid.columns, tile / frame.grid.columns);
     plain.clear(tile % frame.grid.columns, tile / frame.grid.columns);
     for (const OctreeView& view : frame.octrees) {
-      for (const Splat& splat : PlainWalk(view, ray_of(frame, plain)).splats) all.push_back(splat);
-      walk.run(view, walked, [&](const Splat& splat) {
-        if (SplatPainter::best().lay_disc_depth(splat, walked)) seen.push_back(splat);
+      for (const VoxelSplat& v : PlainWalk(view, ray_of(frame, plain)).splats) all.push_back(v);
+      walk.run(view, walked, [&](const Splat& splat, const Tilt& tilt) {
+        if (SplatPainter::best().lay_disc_depth(splat, tilt, walked)) seen.push_back({splat, tilt});
       });
     }
     const SplatPainter& painter = SplatPainter::plain();
-    for (const Splat& splat : all) painter.lay_disc_depth(splat, plain);
-    for (const Splat& splat : all) painter.lay_disc_colour(splat, plain);
-    for (const Splat& splat : seen) SplatPainter::best().lay_disc_colour(splat, walked);
+    for (const VoxelSplat& v : all) painter.lay_disc_depth(v.splat, v.tilt, plain);
+    for (const VoxelSplat& v : all) painter.lay_disc_colour(v.splat, v.tilt, plain);
+    for (const VoxelSplat& v : seen) SplatPainter::best().lay_disc_colour(v.splat, v.tilt, walked);
     EXPECT_EQ(walked.depths, plain.depths) << tile;
     EXPECT_EQ(walked.sum_weight, plain.sum_weight) << tile;
     EXPECT_EQ(walked.sum_r, plain.sum_r) << tile;

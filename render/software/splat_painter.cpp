@@ -24,15 +24,15 @@ AFX_PART_OF_CALLER int end_after(float at, float side) {
   return static_cast<int>(std::clamp(at + 1, 0.0F, side));
 }
 
-/// The samples of the tile in the square that holds a splat: [x0, x1) and [y0, y1).
-struct Square {
-  AFX_PART_OF_CALLER Square(const Splat& splat, const TileSamples& tile)
+/// The samples of the tile in the rectangle that holds a splat: [x0, x1) and [y0, y1).
+struct Rectangle {
+  AFX_PART_OF_CALLER Rectangle(const Splat& splat, const TileSamples& tile)
       : x(splat.x - tile.left - 0.5F), y(splat.y - tile.top - 0.5F) {
     const auto side = static_cast<float>(static_cast<int>(tile.side));
-    x0 = first_from(x - splat.radius, side);
-    x1 = end_after(x + splat.radius, side);
-    y0 = first_from(y - splat.radius, side);
-    y1 = end_after(y + splat.radius, side);
+    x0 = first_from(x - splat.reach_x, side);
+    x1 = end_after(x + splat.reach_x, side);
+    y0 = first_from(y - splat.reach_y, side);
+    y1 = end_after(y + splat.reach_y, side);
   }
   [[nodiscard]] bool is_empty() const { return x0 >= x1 || y0 >= y1; }
 
@@ -50,32 +50,33 @@ struct Samples {
 
 /// Visits the samples whose centres the shape may cover. Both passes see the same ones.
 template <class Shape, class Visit>
-AFX_PART_OF_CALLER void for_samples(const Shape& shape, const Square& square,
+AFX_PART_OF_CALLER void for_samples(const Shape& shape, const Rectangle& box,
                                     const TileSamples& tile, const Visit& visit) {
   const auto side = static_cast<float>(static_cast<int>(tile.side));
-  size_t start = static_cast<size_t>(square.y0) * tile.side;
-  for (int row = square.y0; row < square.y1; ++row, start += tile.side) {
-    const float dy = static_cast<float>(row) - square.y;
-    int x0 = square.x0, x1 = square.x1;
+  size_t start = static_cast<size_t>(box.y0) * tile.side;
+  for (int row = box.y0; row < box.y1; ++row, start += tile.side) {
+    const float dy = static_cast<float>(row) - box.y;
+    int x0 = box.x0, x1 = box.x1;
     if constexpr (Shape::kHasRuns) {
       const Run run = shape.run(dy);
-      x0 = first_from(square.x + run.first, side);
-      x1 = end_after(square.x + run.last, side);
+      x0 = first_from(box.x + run.first, side);
+      x1 = end_after(box.x + run.last, side);
     }
     for (int column = x0; column < x1; column += kLanes) {
-      const Lanes dx = lane_numbers() + (static_cast<float>(column) - square.x);
+      const Lanes dx = lane_numbers() + (static_cast<float>(column) - box.x);
       visit(Samples{start + static_cast<size_t>(column), first_lanes(x1 - column), dx, dy});
     }
   }
 }
 
-/// Whether all samples of the square are nearer than `depth`.
-AFX_PART_OF_CALLER bool is_hidden(const Square& square, float depth, const TileSamples& tile) {
-  const float* line = tile.depths.data() + static_cast<size_t>(square.y0) * tile.side;
+AFX_PART_OF_CALLER bool is_splat_hidden(const Splat& splat, const TileSamples& tile) {
+  const Rectangle box(splat, tile);
+  const float depth = splat.nearest - splat.tolerance;
+  const float* line = tile.depths.data() + static_cast<size_t>(box.y0) * tile.side;
   LaneMask open{};
-  for (int row = square.y0; row < square.y1; ++row, line += tile.side) {
-    for (int column = square.x0; column < square.x1; column += kLanes)
-      open |= first_lanes(square.x1 - column) & (load(line + column) >= depth);
+  for (int row = box.y0; row < box.y1; ++row, line += tile.side) {
+    for (int column = box.x0; column < box.x1; column += kLanes)
+      open |= first_lanes(box.x1 - column) & (load(line + column) >= depth);
   }
   return !any(open);
 }
@@ -83,15 +84,13 @@ AFX_PART_OF_CALLER bool is_hidden(const Square& square, float depth, const TileS
 template <class Shape>
 AFX_PART_OF_CALLER bool lay_depth(const Shape& shape, TileSamples& tile) {
   const float tolerance = shape.splat.tolerance;
-  const Square square(shape.splat, tile);
-  if (square.is_empty()) return false;
-  if (Shape::kNearestInMiddle && is_hidden(square, shape.splat.depth - tolerance, tile))
-    return false;
+  const Rectangle box(shape.splat, tile);
+  if (box.is_empty()) return false;
   float* const depths = tile.depths.data();
   const float* const walls = tile.has_walls ? tile.walls.data() : nullptr;
   LaneMask seen{};
   for_samples(
-      shape, square, tile, [&](const Samples& samples) __attribute__((always_inline)) {
+      shape, box, tile, [&](const Samples& samples) __attribute__((always_inline)) {
         const Hit hit = shape.at(samples.dx, samples.dy);
         const Lanes old = load(depths + samples.at);
         LaneMask open = samples.inside & hit.inside;
@@ -100,8 +99,8 @@ AFX_PART_OF_CALLER bool lay_depth(const Shape& shape, TileSamples& tile) {
         store(depths + samples.at, (open & (hit.depth < old)) ? hit.depth : old);
       });
   if (!any(seen)) return false;
-  tile.touch(static_cast<size_t>(square.x0), static_cast<size_t>(square.y0),
-             static_cast<size_t>(square.x1), static_cast<size_t>(square.y1));
+  tile.touch(static_cast<size_t>(box.x0), static_cast<size_t>(box.y0), static_cast<size_t>(box.x1),
+             static_cast<size_t>(box.y1));
   return true;
 }
 
@@ -115,7 +114,8 @@ AFX_PART_OF_CALLER void lay_colour(const Shape& shape, TileSamples& tile) {
   float* const sum_b = tile.sum_b.data();
   float* const sum_weight = tile.sum_weight.data();
   for_samples(
-      shape, Square(splat, tile), tile, [&](const Samples& samples) __attribute__((always_inline)) {
+      shape, Rectangle(splat, tile),
+      tile, [&](const Samples& samples) __attribute__((always_inline)) {
         const Hit hit = shape.at(samples.dx, samples.dy);
         const size_t at = samples.at;
         LaneMask open =
@@ -154,11 +154,14 @@ AFX_PART_OF_CALLER void finish_sums(TileSamples& tile) {
 
 /// The functions of a painter. attributes   what they are compiled for
 #define AFX_DEFINE_PAINTER(name, attributes)                                                       \
-  attributes bool name##_disc_depth(const Splat& splat, TileSamples& tile) {                       \
-    return lay_depth(Disc(splat), tile);                                                           \
+  attributes bool name##_is_hidden(const Splat& splat, const TileSamples& tile) {                  \
+    return is_splat_hidden(splat, tile);                                                           \
   }                                                                                                \
-  attributes void name##_disc_colour(const Splat& splat, TileSamples& tile) {                      \
-    lay_colour(Disc(splat), tile);                                                                 \
+  attributes bool name##_disc_depth(const Splat& splat, const Tilt& tilt, TileSamples& tile) {     \
+    return lay_depth(Disc{splat, tilt}, tile);                                                     \
+  }                                                                                                \
+  attributes void name##_disc_colour(const Splat& splat, const Tilt& tilt, TileSamples& tile) {    \
+    lay_colour(Disc{splat, tilt}, tile);                                                           \
   }                                                                                                \
   attributes bool name##_surfel_depth(const Splat& splat, const Slant& slant, TileSamples& tile) { \
     return lay_depth(Parallelogram(splat, slant), tile);                                           \
@@ -168,8 +171,8 @@ AFX_PART_OF_CALLER void finish_sums(TileSamples& tile) {
     lay_colour(Parallelogram(splat, slant), tile);                                                 \
   }                                                                                                \
   attributes void name##_finish(TileSamples& tile) { finish_sums(tile); }                          \
-  constexpr SplatPainter name{name##_disc_depth, name##_disc_colour, name##_surfel_depth,          \
-                              name##_surfel_colour, name##_finish};
+  constexpr SplatPainter name{name##_is_hidden,    name##_disc_depth,    name##_disc_colour,       \
+                              name##_surfel_depth, name##_surfel_colour, name##_finish};
 
 AFX_DEFINE_PAINTER(kPlain, )
 #if defined(__x86_64__)

@@ -13,11 +13,14 @@ namespace afx::render {
 /// The functions that touch samples, as one kind of processor runs them. All kinds give the same
 /// results, bit for bit.
 struct SplatPainter {
+  /// Whether all samples of the splat's rectangle are nearer than it, by more than its tolerance;
+  /// also if it lies beside the tile. Its light is not looked at.
+  bool (*is_hidden)(const Splat& splat, const TileSamples& tile);
   /// Lets the depths of the samples that a disc covers sink to its own. Where there are walls it
   /// must lie before them. Returns whether it is seen anywhere so far, if only in the mixture.
-  bool (*lay_disc_depth)(const Splat& splat, TileSamples& tile);
+  bool (*lay_disc_depth)(const Splat& splat, const Tilt& tilt, TileSamples& tile);
   /// Adds its colour to the samples where it is not farther behind the nearest than its tolerance.
-  void (*lay_disc_colour)(const Splat& splat, TileSamples& tile);
+  void (*lay_disc_colour)(const Splat& splat, const Tilt& tilt, TileSamples& tile);
   /// The same for parallelograms.
   bool (*lay_surfel_depth)(const Splat& splat, const Slant& slant, TileSamples& tile);
   void (*lay_surfel_colour)(const Splat& splat, const Slant& slant, TileSamples& tile);

@@ -18,16 +18,24 @@ Splat random_splat(std::minstd_rand& random) {
   };
   return {.x = any(-10, 110),
           .y = any(-10, 110),
-          .radius = std::exp2(any(-0.5F, 6)),
+          .reach_x = std::exp2(any(-0.5F, 6)),
+          .reach_y = std::exp2(any(-0.5F, 6)),
           .depth = any(1, 2),
-          .bulge = any(0, 0.1F),
+          .nearest = 1,
           .tolerance = any(0, 0.2F),
           .light = {any(0, 1), any(0, 1), any(0, 1)}};
 }
 
+Tilt random_tilt(std::minstd_rand& random, const Splat& splat) {
+  std::uniform_real_distribution<float> any(-1, 1);
+  const float a = 1 / (splat.reach_x * splat.reach_x), c = 1 / (splat.reach_y * splat.reach_y);
+  return {
+      any(random) / 100, any(random) / 100, 0.3F, a, any(random) * std::sqrt(a * c) / 2, c, 0.05F};
+}
+
 Slant random_slant(std::minstd_rand& random, const Splat& splat) {
   std::uniform_real_distribution<float> any(-1, 1);
-  const auto scaled = [&] { return any(random) * 3 / splat.radius; };
+  const auto scaled = [&] { return any(random) * 3 / splat.reach_x; };
   return {scaled(), scaled(), scaled(), scaled(), any(random) / 100, any(random) / 100, 0.3F, 0.5F};
 }
 
@@ -44,17 +52,19 @@ TileSamples painted(const SplatPainter& painter, bool wall) {
   }
   std::minstd_rand random(7);
   std::vector<Splat> splats;
+  std::vector<Tilt> tilts;
   std::vector<Slant> slants;
   for (int i = 0; i < 400; ++i) {
     splats.push_back(random_splat(random));
+    tilts.push_back(random_tilt(random, splats.back()));
     slants.push_back(random_slant(random, splats.back()));
   }
   for (size_t i = 0; i < splats.size(); ++i) {
-    painter.lay_disc_depth(splats[i], tile);
+    painter.lay_disc_depth(splats[i], tilts[i], tile);
     painter.lay_surfel_depth(splats[i], slants[i], tile);
   }
   for (size_t i = 0; i < splats.size(); ++i) {
-    painter.lay_disc_colour(splats[i], tile);
+    painter.lay_disc_colour(splats[i], tilts[i], tile);
     painter.lay_surfel_colour(splats[i], slants[i], tile);
   }
   painter.finish(tile);
@@ -89,17 +99,19 @@ TEST(SplatPainter, AWallHidesWhatLiesBehindItAndIsSeenWhereNothingLiesBefore) {
   // Just behind the wall, though within its tolerance of it; and just before.
   const Splat behind{.x = 8,
                      .y = 8,
-                     .radius = 3,
+                     .reach_x = 3,
+                     .reach_y = 3,
                      .depth = 5.01F,
-                     .bulge = 0,
+                     .nearest = 5.01F,
                      .tolerance = 0.1F,
                      .light = {0, 1, 0}};
   Splat before = behind;
-  before.x = 24, before.depth = 4.99F;
-  EXPECT_FALSE(painter.lay_disc_depth(behind, tile));
-  EXPECT_TRUE(painter.lay_disc_depth(before, tile));
-  painter.lay_disc_colour(behind, tile);
-  painter.lay_disc_colour(before, tile);
+  before.x = 24, before.depth = before.nearest = 4.99F;
+  const Tilt tilt{0, 0, 0, 1 / 9.0F, 0, 1 / 9.0F, 0};
+  EXPECT_FALSE(painter.lay_disc_depth(behind, tilt, tile));
+  EXPECT_TRUE(painter.lay_disc_depth(before, tilt, tile));
+  painter.lay_disc_colour(behind, tilt, tile);
+  painter.lay_disc_colour(before, tilt, tile);
   painter.finish(tile);
   const size_t hidden = 8 * tile.side + 8, seen = 8 * tile.side + 24;
   EXPECT_EQ(tile.sum_r[hidden], 1);

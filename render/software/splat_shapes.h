@@ -24,24 +24,23 @@ struct Hit {
   LaneMask inside;  ///< those that the splat covers, where it has no runs
 };
 
-/// The disc of a voxel, which bulges towards the viewer.
-struct Disc {
-  static constexpr bool kHasRuns = false;         // in rows; else all its square may be covered
-  static constexpr bool kNearestInMiddle = true;  // nowhere nearer than its centre
-  static constexpr float weight = 1;              // of its centre, in mixing
+constexpr float kLeastPart = 1e-6F;  // no depth is a million times the centre's
 
-  AFX_PART_OF_CALLER explicit Disc(const Splat& s)
-      : splat(s), square(s.radius * s.radius), inverse(1 / square), bend(s.bulge * inverse) {}
+/// The disc of a voxel. In perspective it is exact, also where its plane reaches behind the eye.
+struct Disc {
+  static constexpr bool kHasRuns = false;  // in rows; else all its rectangle may be covered
+  static constexpr float weight = 1;       // of its centre, in mixing
 
   [[nodiscard]] AFX_PART_OF_CALLER Hit at(Lanes dx, float dy) const {
-    const Lanes d2 = dx * dx + dy * dy;
-    return {splat.depth + bend * d2, d2 * inverse, d2 <= square};
+    const Lanes deeper = tilt.depth_x * dx + tilt.depth_y * dy;
+    const Lanes k = 1 / most(all(kLeastPart), 1 - tilt.nearness * deeper);
+    const Lanes flat = dx * (tilt.a * dx + 2 * tilt.b * dy) + tilt.c * dy * dy;
+    const Lanes out = k * k * flat;
+    return {splat.depth + k * deeper + tilt.bulge * out, out, out <= 1};
   }
 
-  Splat splat;
-  float square;  // of the radius
-  float inverse;
-  float bend;
+  const Splat splat;
+  const Tilt tilt;
 };
 
 /// The parallelogram of a surfel. In perspective too it is exact, also where it reaches behind the
@@ -49,7 +48,6 @@ struct Disc {
 class Parallelogram {
  public:
   static constexpr bool kHasRuns = true;
-  static constexpr bool kNearestInMiddle = false;
 
   AFX_PART_OF_CALLER Parallelogram(const Splat& s, const Slant& l)
       : splat(s), weight(l.weight), slant_(l) {
@@ -61,7 +59,7 @@ class Parallelogram {
   }
 
   [[nodiscard]] AFX_PART_OF_CALLER Run run(float dy) const {
-    Run run{-splat.radius, splat.radius};
+    Run run{-splat.reach_x, splat.reach_x};
     for (const Edge& edge : edges_) {
       const float inside = 1 - edge.y * dy;
       if (edge.x > 0) run.last = std::min(run.last, inside / edge.x);
@@ -82,8 +80,7 @@ class Parallelogram {
   const float weight;
 
  private:
-  static constexpr float kLeastPart = 1e-6F;  // no depth is a million times the centre's
-  static constexpr float kNothing = 2e18F;    // ends a run before it begins
+  static constexpr float kNothing = 2e18F;  // ends a run before it begins
   /// Samples with x dx + y dy <= 1 are on its inner side.
   struct Edge {
     float x, y;

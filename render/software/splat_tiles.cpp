@@ -79,12 +79,13 @@ void SplatTiles::project(std::span<const SurfelCloud> clouds, const Lens& lens,
 template <class Visit>
 void SplatTiles::for_cells(const Splat& s, const Visit& visit) const {
   size_t level = 0;
-  while (level + 1 < grids_.size() && 2 * s.radius > grids_[level].side) ++level;
+  while (level + 1 < grids_.size() && 2 * std::max(s.reach_x, s.reach_y) > grids_[level].side)
+    ++level;
   const Grid& grid = grids_[level];
-  const uint32_t x1 = cell_at(s.x + s.radius, grid.side, grid.columns);
-  const uint32_t y1 = cell_at(s.y + s.radius, grid.side, grid.rows);
-  for (uint32_t y = cell_at(s.y - s.radius, grid.side, grid.rows); y <= y1; ++y) {
-    for (uint32_t x = cell_at(s.x - s.radius, grid.side, grid.columns); x <= x1; ++x) {
+  const uint32_t x1 = cell_at(s.x + s.reach_x, grid.side, grid.columns);
+  const uint32_t y1 = cell_at(s.y + s.reach_y, grid.side, grid.rows);
+  for (uint32_t y = cell_at(s.y - s.reach_y, grid.side, grid.rows); y <= y1; ++y) {
+    for (uint32_t x = cell_at(s.x - s.reach_x, grid.side, grid.columns); x <= x1; ++x) {
       visit(grid.first + size_t{y} * grid.columns + x);
     }
   }

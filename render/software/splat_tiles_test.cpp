@@ -55,8 +55,8 @@ Looks looks_of(const Surfels& surfels, const RenderOptions& options, double view
         for (const uint32_t number : tiles.around(level, column, row)) {
           const Splat& s = tiles.splat(number);
           looks.made += 1;
-          if (std::abs(s.x - (left + side / 2)) < s.radius + side / 2 &&
-              std::abs(s.y - (top + side / 2)) < s.radius + side / 2)
+          if (std::abs(s.x - (left + side / 2)) < s.reach_x + side / 2 &&
+              std::abs(s.y - (top + side / 2)) < s.reach_y + side / 2)
             looks.needed += 1;
         }
       }
@@ -105,7 +105,7 @@ TEST(SplatTiles, EveryTileHasTheSplatsThatTouchIt) {
         const float x = (static_cast<float>(tile % grid.columns) + 0.5F) * side;
         const float y = (static_cast<float>(tile / grid.columns) + 0.5F) * side;
         const bool meets =
-            std::abs(s.x - x) < s.radius + side / 2 && std::abs(s.y - y) < s.radius + side / 2;
+            std::abs(s.x - x) < s.reach_x + side / 2 && std::abs(s.y - y) < s.reach_y + side / 2;
         EXPECT_TRUE(!meets || std::binary_search(seen[tile].begin(), seen[tile].end(), number))
             << view_height << ' ' << number << ' ' << tile;
       }

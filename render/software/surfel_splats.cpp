@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -56,23 +57,22 @@ SurfelProjection::Half SurfelProjection::half(const glm::dvec3& centre,
   return {glm::dvec2(offset.x, -offset.y) * lens_.zoom_at(-centre.z), -side.z};
 }
 
-/// How far the corners are from the centre on the screen, the larger of both ways. A point that
-/// lies e deeper than the centre is nearer to it by depth / (depth + e).
-double SurfelProjection::reach(const Half& u, const Half& v, double depth) const {
-  double farthest = 0;
+/// How far the corners are from the centre on the screen. A point that lies e deeper than the
+/// centre is nearer to it by depth / (depth + e).
+glm::dvec2 SurfelProjection::reach(const Half& u, const Half& v, double depth) const {
+  glm::dvec2 farthest(0);
   for (const double s : {-1.0, 1.0}) {
     for (const double t : {-1.0, 1.0}) {
       double zoom = 1;
       if (lens_.perspective) {
         const double part = 1 + (s * u.depth + t * v.depth) / depth;
-        if (part < 1e-6) return kMostRadius;  // beside or behind the eye
+        if (part < 1e-6) return glm::dvec2(kMostRadius);  // beside or behind the eye
         zoom = 1 / part;
       }
-      const glm::dvec2 corner = zoom * glm::abs(s * u.offset + t * v.offset);
-      farthest = std::max({farthest, corner.x, corner.y});
+      farthest = glm::max(farthest, zoom * glm::abs(s * u.offset + t * v.offset));
     }
   }
-  return std::min(farthest, kMostRadius);
+  return glm::min(farthest, glm::dvec2(kMostRadius));
 }
 
 bool SurfelProjection::project_surfel(size_t number, Splat& splat, Slant& slant) const {
@@ -85,15 +85,16 @@ bool SurfelProjection::project_surfel(size_t number, Splat& splat, Slant& slant)
   Half v = half(centre, scale_ * side_v);
   widen(u.offset, v.offset);
   const glm::dvec2 at = lens_.place(centre);
-  const double radius = reach(u, v, depth);
+  const glm::dvec2 reached = reach(u, v, depth);
   const double area = u.offset.x * v.offset.y - u.offset.y * v.offset.x;
-  if (!lens_.on_screen(at, radius) || !std::isfinite(area)) return false;
+  if (!lens_.on_screen(at, std::max(reached.x, reached.y)) || !std::isfinite(area)) return false;
 
   splat.x = static_cast<float>(at.x);
   splat.y = static_cast<float>(at.y);
-  splat.radius = static_cast<float>(radius);
+  splat.reach_x = static_cast<float>(reached.x);
+  splat.reach_y = static_cast<float>(reached.y);
   splat.depth = static_cast<float>(depth);
-  splat.bulge = 0;
+  splat.nearest = static_cast<float>(depth - std::abs(u.depth) - std::abs(v.depth));
   const Proportions proportions = proportions_of(side_u, side_v);
   splat.tolerance = static_cast<float>(tolerance_ * proportions.shorter);
   slant.weight = static_cast<float>(std::max(proportions.squareness, kLeastSquareness));

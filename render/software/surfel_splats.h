@@ -42,8 +42,7 @@ class SurfelProjection {
 
   /// Projects surfels [first, first + out.size()), leaves out those that are transparent, touch no
   /// sample or lie before the near plane, and writes the others to the beginning of `out` and
-  /// `slants`, in order. Returns how many. A splat's radius is half the side of the square around
-  /// the parallelogram.
+  /// `slants`, in order. Returns how many.
   /// slants   as many as `out`
   size_t project(size_t first, std::span<Splat> out, std::span<Slant> slants) const;
 
@@ -57,7 +56,7 @@ class SurfelProjection {
   /// Fills all but the colour; false if nothing is to be drawn.
   bool project_surfel(size_t number, Splat& splat, Slant& slant) const;
   [[nodiscard]] Half half(const glm::dvec3& centre, const glm::dvec3& side) const;
-  [[nodiscard]] double reach(const Half& u, const Half& v, double depth) const;
+  [[nodiscard]] glm::dvec2 reach(const Half& u, const Half& v, double depth) const;
 
   const Surfels& surfels_;
   const Lens& lens_;

@@ -16,8 +16,8 @@ void TilePainter::collect_surfels(uint32_t column, uint32_t row) {
   for (uint32_t level = tiles.levels(); level-- > 0;) {
     for (const uint32_t number : tiles.around(level, column, row)) {
       const Splat& s = tiles.splat(number);
-      if (s.x + s.radius >= samples_.left && s.x - s.radius <= samples_.left + side &&
-          s.y + s.radius >= samples_.top && s.y - s.radius <= samples_.top + side)
+      if (s.x + s.reach_x >= samples_.left && s.x - s.reach_x <= samples_.left + side &&
+          s.y + s.reach_y >= samples_.top && s.y - s.reach_y <= samples_.top + side)
         surfels_.push_back(number);
     }
   }
@@ -26,8 +26,8 @@ void TilePainter::collect_surfels(uint32_t column, uint32_t row) {
 void TilePainter::lay_octrees() {
   voxels_.clear();
   for (const OctreeView& view : frame_.octrees) {
-    walk_.run(view, samples_, [this](const Splat& splat) {
-      if (painter_.lay_disc_depth(splat, samples_)) voxels_.push_back(splat);
+    walk_.run(view, samples_, [this](const Splat& splat, const Tilt& tilt) {
+      if (painter_.lay_disc_depth(splat, tilt, samples_)) voxels_.push_back({splat, tilt});
     });
   }
 }
@@ -55,7 +55,7 @@ void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
   lay_octrees();
   for (const uint32_t i : surfels_)
     painter_.lay_surfel_colour(tiles.splat(i), tiles.slant(i), samples_);
-  for (const Splat& splat : voxels_) painter_.lay_disc_colour(splat, samples_);
+  for (const VoxelSplat& v : voxels_) painter_.lay_disc_colour(v.splat, v.tilt, samples_);
   painter_.finish(samples_);
   resolve(column * frame_.grid.side, row * frame_.grid.side, image);
 }

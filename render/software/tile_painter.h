@@ -16,7 +16,7 @@
 namespace afx::render {
 
 /// Draws one tile after another, at n x n samples a pixel. For one thread; holds 36 bytes a
-/// sample, 4 for each surfel and 32 for each voxel that touches the tile.
+/// sample, 4 for each surfel and 68 for each voxel that touches the tile.
 class TilePainter {
  public:
   explicit TilePainter(const Frame& frame)
@@ -36,7 +36,11 @@ class TilePainter {
   PixelRow pixels_;
   OctreeWalk walk_;
   std::vector<uint32_t> surfels_;  // numbers of those of the tile
-  std::vector<Splat> voxels_;      // those of the tile that may be seen
+  struct VoxelSplat {
+    Splat splat;
+    Tilt tilt;
+  };
+  std::vector<VoxelSplat> voxels_;  // those of the tile that may be seen
 };
 
 }  // namespace afx::render

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+//
+// The surface that voxels stand for, smoother than their grid.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "afx/voxel_blocks.h"
+
+namespace afx {
+
+/// A piece of surface in each voxel. The lists are parallel to that of the voxels.
+struct VoxelSurface {
+  std::vector<glm::vec3> normals;  ///< outwards, of length 1; (0, 0, 0) where none is known
+  /// How far above the voxel's centre along its normal the surface lies, in voxel sides: as high as
+  /// the mean of its neighbours' centres, but inside the voxel.
+  std::vector<float> heights;
+};
+
+/// The surface through the voxels given as ascending Morton codes: normals as surface_normals has
+/// them (voxel_shading.h).
+///
+/// blocks    of these codes
+/// threads   0 = all cores; the result is the same for any number
+VoxelSurface voxel_surface(std::span<const uint64_t> codes, unsigned level,
+                           const VoxelBlocks& blocks, unsigned threads);
+
+}  // namespace afx
