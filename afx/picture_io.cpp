@@ -56,7 +56,7 @@ constexpr std::array kFormats{
     FormatRow{"webp", 8, "WEBP"sv, "webp"},
     FormatRow{"psd", 0, "8BPS"sv, "psd"},
     FormatRow{"dds", 0, "DDS "sv, "dds"},
-    FormatRow{"openexr", 0, "\x76\x2F\x31\x01"sv, "exr"},
+    FormatRow{"openexr", 0, "\x76\x2F\x31\x01"sv, "exr", true},
     FormatRow{"hdr", 0, "#?"sv, "hdr"},
     FormatRow{"jpeg2000", 0, "\0\0\0\x0CjP  "sv, "jp2 j2k"},
     FormatRow{"jpeg2000", 0, "\xFF\x4F\xFF\x51"sv, ""},
@@ -191,6 +191,34 @@ int append_bytes(void* user, const void* bytes, size_t size) {
 
 Error refused(const std::string& text) { return Error{Errc::bad_argument, {}, text, {}, {}}; }
 
+// format   OpenImageIO's name
+Status check_picture(const afx_picture_shape& shape, size_t count, std::string_view format) {
+  if (shape.width == 0 || shape.height == 0) return refused("the picture is empty");
+  if (shape.components < 1 || shape.components > 4 ||
+      count != uint64_t{shape.width} * shape.height * shape.components)
+    return refused("the picture's samples do not fit its size");
+  if (shape.width > INT_MAX / 8 || shape.height > INT_MAX / 8)
+    return refused("the picture is too wide or high");
+  if (format == "jpeg" && (shape.components % 2 == 0 || shape.sample_bytes != 1))
+    return refused("JPEG has neither alpha nor more than 8 bits a sample");
+  if (format == "openexr" && shape.sample_bytes != 1)
+    return refused("OpenEXR is not written from integers of more than 8 bits");
+  return {};
+}
+
+Status check_options(const afx_picture_shape& shape, std::string_view format,
+                     const PictureOptions& options) {
+  if (options.jpeg_quality < 1 || options.jpeg_quality > 100)
+    return refused("the JPEG quality is not in 1..100");
+  if (options.png_compression < 0 || options.png_compression > 9)
+    return refused("the PNG compression is not in 0..9");
+  if (options.depth.empty()) return {};
+  if (format != "openexr") return refused("of the picture formats OpenEXR alone holds depth");
+  if (options.depth.size() != uint64_t{shape.width} * shape.height)
+    return refused("the depths do not fit the picture's size");
+  return {};
+}
+
 Result<std::vector<uint8_t>> encode(const afx_picture_shape& shape, const void* samples,
                                     size_t count, std::string_view format,
                                     const PictureOptions& options) {
@@ -205,23 +233,17 @@ Result<std::vector<uint8_t>> encode(const afx_picture_shape& shape, const void* 
                  "pictures cannot be written as " + name + " (expected png or jpeg)",
                  {},
                  {}};
-  if (shape.width == 0 || shape.height == 0) return refused("the picture is empty");
-  if (shape.components < 1 || shape.components > 4 ||
-      count != uint64_t{shape.width} * shape.height * shape.components)
-    return refused("the picture's samples do not fit its size");
-  if (shape.width > INT_MAX / 8 || shape.height > INT_MAX / 8)
-    return refused("the picture is too wide or high");
-  if (options.jpeg_quality < 1 || options.jpeg_quality > 100)
-    return refused("the JPEG quality is not in 1..100");
-  if (options.png_compression < 0 || options.png_compression > 9)
-    return refused("the PNG compression is not in 0..9");
-  if (name == "jpeg" && (shape.components % 2 == 0 || shape.sample_bytes != 1))
-    return refused("JPEG has neither alpha nor more than 8 bits a sample");
+  if (Status fits = check_picture(shape, count, name); !fits.ok()) return fits.error();
+  if (Status fits = check_options(shape, name, options); !fits.ok()) return fits.error();
   if (module().functions == nullptr)
     return Error{Errc::not_available, {}, module().problem, {}, {}};
-  const afx_picture_write_request request{
-      name.c_str(),          shape, samples, options.jpeg_quality, options.png_compression,
-      options.colour ? 1 : 0};
+  const afx_picture_write_request request{name.c_str(),
+                                          shape,
+                                          samples,
+                                          options.jpeg_quality,
+                                          options.png_compression,
+                                          options.colour ? 1 : 0,
+                                          options.depth.empty() ? nullptr : options.depth.data()};
   std::vector<uint8_t> bytes;
   afx_picture_error error{};
   if (module().functions->write(&request, append_bytes, &bytes, &error) != 0)

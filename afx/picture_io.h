@@ -25,8 +25,9 @@ namespace afx {
 /// Reads a picture; the content tells its format: PNG, JPEG, TIFF, BMP, GIF, WebP, PSD, DDS, PNM,
 /// OpenEXR, Radiance HDR, JPEG 2000; TGA, which has no mark of its own, by its ending. Samples are
 /// as stored: no colour conversion, nothing premultiplied; 16 bits are rounded to 8, and pictures
-/// in floating point, which hold linear light, are converted to sRGB. Channels after the fourth are
-/// left out. Errors  io: the file cannot be read; unsupported: no picture format known here;
+/// in floating point, which hold linear light, are converted to sRGB (and those of OpenEXR, which
+/// are premultiplied, divided by their alpha). Channels after the fourth are left out. Errors  io:
+/// the file cannot be read; unsupported: no picture format known here;
 ///         malformed or truncated: as the format's reader says; limit_exceeded: more than
 ///         limits.picture_pixels, or limits.memory bytes; not_available
 Result<Picture> read_picture(const std::string& path, const Limits& limits = {});
@@ -52,17 +53,21 @@ struct PictureOptions {
   int jpeg_quality = 90;    ///< 1..100. Chroma is never subsampled (4:4:4)
   int png_compression = 6;  ///< 0 (none) .. 9
   bool colour = true;       ///< marks PNG as sRGB; false for depths and other data
+  /// OpenEXR only: a distance for each pixel, which goes into the channel Z as it is; empty: no Z.
+  std::span<const float> depth{};
 };
 
 /// A picture as the bytes of a file. The same picture and options give the same bytes; no date, no
-/// program name.
-/// format   "png", "jpeg" ("jpg"), "bmp" or "tga"
+/// program name. OpenEXR has linear light, premultiplied, of 16 bits in floating point (which hold
+/// all that 8 bits of sRGB tell), and Z of 32, compressed without loss.
+/// format   "png", "jpeg" ("jpg"), "bmp", "tga" or "exr"
 /// Errors  bad_argument: empty picture, sizes that do not fit, quality out of range, a format that
-///         cannot hold the picture (JPEG with alpha); unsupported: unknown format; not_available;
-///         no_memory
+///         cannot hold the picture (JPEG with alpha) or its depth; unsupported: unknown format;
+///         not_available; no_memory
 Result<std::vector<uint8_t>> encode_picture(const Picture& picture, std::string_view format,
                                             const PictureOptions& options = {});
-/// 16 bits a sample where the picture has more than 8 (not JPEG), otherwise 8. Samples as they are.
+/// 16 bits a sample where the picture has more than 8 (not JPEG, not OpenEXR), otherwise 8. Samples
+/// as they are.
 Result<std::vector<uint8_t>> encode_picture(const DeepPicture& picture, std::string_view format,
                                             const PictureOptions& options = {});
 

@@ -8,8 +8,10 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <string>
@@ -122,12 +124,18 @@ void read_pixels(Input& in, int channels, OIIO::TypeDesc type, void* to) {
 void read_linear(Input& in, int channels, uint8_t* to) {
   const size_t pixels = static_cast<size_t>(in.spec.width) * static_cast<size_t>(in.spec.height);
   const auto n = static_cast<size_t>(channels);
+  const bool has_alpha = n % 2 == 0;
+  const bool premultiplied = has_alpha && std::strcmp(in.input->format_name(), "openexr") == 0;
   std::vector<float> samples(pixels * n);
   read_pixels(in, channels, OIIO::TypeDesc::FLOAT, samples.data());
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const bool alpha = n % 2 == 0 && i % n == n - 1;
-    to[i] = alpha ? static_cast<uint8_t>(std::lround(std::clamp(samples[i], 0.0F, 1.0F) * 255.0F))
-                  : afx::linear_to_srgb(samples[i]);
+  for (size_t pixel = 0; pixel < pixels; ++pixel) {
+    const float* from = &samples[pixel * n];
+    const float alpha = has_alpha ? from[n - 1] : 1;
+    const float share = premultiplied && alpha > 0 ? alpha : 1;
+    uint8_t* out = to + pixel * n;
+    for (size_t k = 0; k < n; ++k) out[k] = afx::linear_to_srgb(from[k] / share);
+    if (has_alpha)
+      out[n - 1] = static_cast<uint8_t>(std::lround(std::clamp(alpha, 0.0F, 1.0F) * 255.0F));
   }
 }
 
@@ -167,6 +175,68 @@ OIIO::ImageSpec spec_for(const afx_picture_write_request& request) {
   return spec;
 }
 
+// Colours in half precision, Z in single.
+OIIO::ImageSpec exr_spec_for(const afx_picture_write_request& request) {
+  const afx_picture_shape& shape = request.shape;
+  const auto colours = static_cast<int>(shape.components);
+  const int channels = colours + (request.depth != nullptr ? 1 : 0);
+  OIIO::ImageSpec spec(static_cast<int>(shape.width), static_cast<int>(shape.height), channels,
+                       OIIO::TypeDesc::HALF);
+  constexpr std::array<const char*, 4> kColours{"R", "G", "B", "A"};
+  constexpr std::array<const char*, 4> kGreys{"Y", "A"};
+  spec.channelnames.clear();
+  for (size_t k = 0; k < shape.components; ++k)
+    spec.channelnames.emplace_back(colours > 2 ? kColours[k] : kGreys[k]);
+  spec.alpha_channel = colours % 2 == 0 ? colours - 1 : -1;
+  if (request.depth != nullptr) {
+    spec.channelnames.emplace_back("Z");
+    spec.z_channel = colours;
+    spec.channelformats.assign(static_cast<size_t>(channels), OIIO::TypeDesc::HALF);
+    spec.channelformats.back() = OIIO::TypeDesc::FLOAT;
+  }
+  spec.attribute("compression", "zip");
+  spec.attribute("DateTime", "");  // otherwise it is the time of writing
+  return spec;
+}
+
+// Premultiplied linear light of a row, and its distances.
+void make_exr_row(const afx_picture_write_request& request, uint32_t y, std::vector<float>& row) {
+  const size_t n = request.shape.components;
+  const size_t width = request.shape.width;
+  const size_t step = n + (request.depth != nullptr ? 1 : 0);
+  const auto* from = static_cast<const uint8_t*>(request.samples) + width * y * n;
+  const bool has_alpha = n % 2 == 0;
+  const std::array<float, 256>& linear = afx::srgb_to_linear();
+  for (size_t x = 0; x < width; ++x, from += n) {
+    float* to = &row[x * step];
+    const float alpha = has_alpha ? static_cast<float>(from[n - 1]) / 255.0F : 1.0F;
+    for (size_t k = 0; k < n; ++k)
+      to[k] = request.colour != 0 ? linear[from[k]] * alpha : static_cast<float>(from[k]) / 255.0F;
+    if (has_alpha) to[n - 1] = alpha;
+    if (request.depth != nullptr) to[n] = request.depth[width * y + x];
+  }
+}
+
+// Row by row: a large picture would take four times its memory in floating point.
+bool write_exr_rows(const afx_picture_write_request& request, OIIO::ImageOutput& output) {
+  constexpr uint32_t kRows = 16;  // that are compressed together
+  const OIIO::ImageSpec& spec = output.spec();
+  const size_t length = size_t{request.shape.width} * static_cast<size_t>(spec.nchannels);
+  std::vector<float> row(length), rows;
+  for (uint32_t y = 0; y < request.shape.height; y += kRows) {
+    const uint32_t end = std::min(y + kRows, request.shape.height);
+    rows.clear();
+    for (uint32_t at = y; at < end; ++at) {
+      make_exr_row(request, at, row);
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+    if (!output.write_scanlines(static_cast<int>(y), static_cast<int>(end), 0,
+                                OIIO::TypeDesc::FLOAT, rows.data()))
+      return false;
+  }
+  return true;
+}
+
 void write_picture(const afx_picture_write_request& request, afx_picture_sink sink, void* user) {
   std::vector<unsigned char> bytes;
   {
@@ -176,10 +246,13 @@ void write_picture(const afx_picture_write_request& request, afx_picture_sink si
     if (!output || !output->supports("ioproxy"))
       throw Failure{kAfxPictureUnsupported,
                     or_default(OIIO::geterror(), "the picture format cannot be written")};
-    const OIIO::ImageSpec spec = spec_for(request);
+    const bool exr = std::string_view(request.format) == "openexr";
+    const OIIO::ImageSpec spec = exr ? exr_spec_for(request) : spec_for(request);
     output->set_ioproxy(&proxy);
-    if (!output->open(name, spec) || !output->write_image(spec.format, request.samples) ||
-        !output->close())
+    const bool written =
+        output->open(name, spec) && (exr ? write_exr_rows(request, *output)
+                                         : output->write_image(spec.format, request.samples));
+    if (!written || !output->close())
       throw Failure{kAfxPictureUnsupported,
                     or_default(output->geterror(), "the picture cannot be written")};
   }

@@ -58,7 +58,8 @@ struct afx_picture_write_request {
   const void* samples;
   int jpeg_quality;
   int png_compression;
-  int colour;  ///< 1: sRGB
+  int colour;          ///< 1: sRGB
+  const float* depth;  ///< OpenEXR: width * height distances, a channel Z of floats; null: none
 };
 
 /// What the module offers. Functions return 0, or fill `error` and return its code.
@@ -70,7 +71,7 @@ struct afx_picture_module {
                struct afx_picture_error* error);
 };
 
-enum { kAfxPictureModuleVersion = 2 };
+enum { kAfxPictureModuleVersion = 3 };
 
 /// The one symbol of the module, by the name "afx_picture_module_get".
 typedef const struct afx_picture_module* (*afx_picture_module_get_function)(void);
