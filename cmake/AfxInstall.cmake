@@ -15,6 +15,9 @@ target_link_libraries(afx PUBLIC glm::glm Threads::Threads ${CMAKE_DL_LIBS} PRIV
 
 install(TARGETS afx EXPORT afx-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS afx_pictures LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/afx)
+if(TARGET afx_video)
+  install(TARGETS afx_video LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/afx)
+endif()
 if(TARGET afx_meshes)
   install(TARGETS afx_meshes LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/afx)
 endif()
