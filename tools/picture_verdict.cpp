@@ -16,8 +16,10 @@ Result<Verdict> compare_two_pictures(const Input& a, const Input& b, const Limit
   if (!first.ok()) return first.error();
   const auto second = decode_picture(b.file.bytes(), b.path, limits);
   if (!second.ok()) return second.error();
-  const Picture& x = first.value();
-  const Picture& y = second.value();
+  return compare_two_pictures(first.value(), second.value());
+}
+
+Result<Verdict> compare_two_pictures(const Picture& x, const Picture& y) {
   if (x.width != y.width || x.height != y.height || x.components != y.components) {
     const auto size = [](const Picture& p) {
       return std::to_string(p.width) + " x " + std::to_string(p.height) + " x " +
@@ -31,12 +33,13 @@ Result<Verdict> compare_two_pictures(const Input& a, const Input& b, const Limit
   nlohmann::ordered_json json{{"differingPixels", d.differing_pixels},
                               {"maxAbs", d.max_abs},
                               {"meanAbs", d.mean_abs},
+                              {"meanSquared", d.mean_squared},
                               {"ssim", d.ssim}};
   if (std::isfinite(d.psnr)) json["psnr"] = d.psnr;
   if (d.differing_pixels == 0) return same("the pictures are the same", json);
   return differ("the pictures differ in " + counted(d.differing_pixels, "pixel") + ": PSNR " +
-                    fixed(d.psnr, 2) + " dB, SSIM " + fixed(d.ssim, 4) + ", greatest difference " +
-                    std::to_string(d.max_abs),
+                    fixed(d.psnr, 2) + " dB, SSIM " + fixed(d.ssim, 4) + ", mean difference " +
+                    fixed(d.mean_abs, 4) + ", greatest " + std::to_string(d.max_abs),
                 json);
 }
 
