@@ -99,11 +99,14 @@ bool is_scene(Kind kind) { return is_text_scene(kind) || is_coded_scene(kind); }
 int output_format(const Session& session, const std::string& path, const std::string& option,
                   std::span<const char* const> names, std::string& format) {
   const std::string ending = ending_of(path);
-  const bool told = kind_of_format(ending) != Kind::unknown;
+  const auto is_ours = [&](const std::string& name) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* ours) { return same_format(name, ours); });
+  };
+  const bool told = kind_of_format(ending) != Kind::unknown || is_ours(ending);
   format = told || option.empty() ? ending : lower(option);
   if (!option.empty()) {
-    const Kind kind = kind_of_format(option);
-    if (kind == Kind::unknown) {
+    if (kind_of_format(option) == Kind::unknown && !is_ours(lower(option))) {
       return session.usage("--format " + option + " is not known (expected " + listed(names, "") +
                            ")");
     }
