@@ -268,7 +268,7 @@ TEST_F(Program, AMissingPictureIsAWarningAndStrictAFailure) {
 TEST_F(Program, CompletionKnowsEveryCommandAndItsOptions) {
   const std::vector<std::pair<std::string, std::string>> own{
       {"build", "image-size"}, {"encode", "node"},    {"decode", "partial"},
-      {"info", "resolution"},  {"trace", "strict"},   {"render", "azimuth"},
+      {"info", "resolution"},  {"trace", "strict"},   {"render", "turntable"},
       {"compare", "node"},     {"completion", "help"}};
   for (const char* shell : {"bash", "zsh", "fish"}) {
     const Outcome script = run(std::string("completion ") + shell);

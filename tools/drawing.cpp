@@ -144,7 +144,12 @@ Result<render::RenderedImage> Drawing::draw_mesh(const render::Camera& camera,
   auto picture = draw_picture(*look_, shot, samples, options.background, session_.options.threads,
                               session_.limits);
   if (!picture.ok()) return std::move(picture).error();
-  return render::RenderedImage{std::move(picture).value(), {}};
+  render::RenderedImage image{std::move(picture).value(), {}};
+  if (!options.depth) return image;
+  auto depth = draw_distances(*look_, shot, session_.options.threads, session_.limits);
+  if (!depth.ok()) return std::move(depth).error();
+  image.depth = std::move(depth).value();
+  return image;
 }
 
 Result<render::RenderedImage> Drawing::draw(const render::Camera& camera,

@@ -41,10 +41,15 @@ class Drawing {
   /// shade   for a mesh
   Status add(ModelInput&& model, Shade shade);
 
+  /// Whether it is a mesh; then scene() is empty.
+  [[nodiscard]] bool is_mesh() const { return mesh_ != nullptr; }
+  /// The splats, for a renderer of one's own.
+  [[nodiscard]] const render::Scene& scene() const { return scene_; }
+
   /// Points that hold all of it, for render::fit_camera.
   [[nodiscard]] std::vector<glm::dvec3> outline() const;
 
-  /// Draws it. A mesh has no depths.
+  /// Draws it once. The depths of a mesh are those at the pixels' centres.
   [[nodiscard]] Result<render::RenderedImage> draw(const render::Camera& camera,
                                                    const render::RenderOptions& options) const;
 
