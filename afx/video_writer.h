@@ -39,9 +39,9 @@ struct VideoOptions {
 /// same pictures and options give the same bytes with the same libraries. For one thread at a time.
 class VideoWriter {
  public:
-  /// Errors  bad_argument: an option out of range; unsupported: no encoder for the format, or none
-  ///         that takes the size; not_available: this build has no video, or the module is not
-  ///         there; no_memory
+  /// Errors  bad_argument: an option out of range; unsupported: no format of ours; not_available:
+  ///         this build has no video, the module is not there, or no encoder for the format that
+  ///         takes the size; no_memory
   static Result<VideoWriter> begin(const VideoOptions& options, const Limits& limits = {});
 
   VideoWriter(VideoWriter&&) noexcept;
@@ -54,7 +54,7 @@ class VideoWriter {
   [[nodiscard]] std::string encoder() const;
   /// Adds a picture: of the video's size, RGBA, whose alpha is not looked at.
   /// Errors  bad_argument: another size; limit_exceeded: the video is longer than limits.memory;
-  ///         no_memory; unsupported: what the encoder says
+  ///         no_memory; not_available: what the encoder says
   Status add(const Picture& picture);
   /// The bytes of the file; nothing can be added afterwards. Errors  as add()
   Result<std::vector<uint8_t>> finish();

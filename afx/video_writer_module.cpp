@@ -57,7 +57,7 @@ Failure failure_of(int code, const std::string& what) {
   char reason[AV_ERROR_MAX_STRING_SIZE] = {};
   av_strerror(code, reason, sizeof reason);
   const std::string message = last_message();
-  return {kAfxVideoUnsupported, what + ": " + (message.empty() ? reason : message)};
+  return {kAfxVideoRefused, what + ": " + (message.empty() ? reason : message)};
 }
 
 void check(int code, const char* what) {
@@ -197,10 +197,10 @@ Codec choose_encoder(const afx_video_request& request, const AVOutputFormat& con
     if (Codec codec = open_encoder(choice, request, container); codec != nullptr) return codec;
   }
   const std::string why = last_message();
-  throw Failure{kAfxVideoUnsupported, std::string("no encoder makes a video for .") +
-                                          request.format + " of " + std::to_string(request.width) +
-                                          " x " + std::to_string(request.height) + " pixels" +
-                                          (why.empty() ? "" : ": " + why)};
+  throw Failure{kAfxVideoRefused, std::string("no encoder makes a video for .") + request.format +
+                                      " of " + std::to_string(request.width) + " x " +
+                                      std::to_string(request.height) + " pixels" +
+                                      (why.empty() ? "" : ": " + why)};
 }
 
 // RGBA to what the encoder takes: full to narrow range, by the matrix of BT.709.
@@ -210,7 +210,7 @@ SwsContext* make_scaler(const AVCodecContext& codec) {
   SwsContext* scaler =
       sws_getContext(codec.width, codec.height, AV_PIX_FMT_RGB0, codec.width, codec.height,
                      codec.pix_fmt, kFlags, nullptr, nullptr, nullptr);
-  if (scaler == nullptr) throw Failure{kAfxVideoUnsupported, "the colours cannot be converted"};
+  if (scaler == nullptr) throw Failure{kAfxVideoRefused, "the colours cannot be converted"};
   const int* matrix = sws_getCoefficients(SWS_CS_ITU709);
   sws_setColorspaceDetails(scaler, matrix, 1, matrix, 0, 0, 1 << 16, 1 << 16);
   return scaler;

@@ -16,7 +16,7 @@ struct afx_video_error {
   char text[512];
 };
 
-enum { kAfxVideoUnsupported = 1, kAfxVideoLimit = 2, kAfxVideoNoMemory = 3 };
+enum { kAfxVideoRefused = 1, kAfxVideoLimit = 2, kAfxVideoNoMemory = 3 };
 
 struct afx_video_request {
   const char* format;  ///< e.g. "mp4"
