@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "tools/backend.h"
 #include "tools/commands.h"
@@ -59,13 +61,45 @@ std::string useless_for_mesh(const RenderCommand& command) {
   return {};
 }
 
+/// What may be missing on a machine, so it is asked for before the work.
+struct Tools {
+  std::unique_ptr<render::Renderer> renderer;
+  std::optional<VideoWriter> video;
+};
+
+/// Returns an exit code.
+int get_tools(const RenderCommand& command, const Session& session, const RenderPlan& plan,
+              Tools& tools) {
+  auto renderer = make_renderer(command.backend, session.limits);
+  if (!renderer.ok()) return session.fail(renderer.error());
+  tools.renderer = std::move(renderer).value();
+  if (!plan.is_video) return kDone;
+  auto video = begin_video(command, plan, session.limits);
+  if (!video.ok()) return session.fail(video.error(), command.output);
+  tools.video.emplace(std::move(video).value());
+  return kDone;
+}
+
+int draw(const RenderCommand& command, const Session& session, const RenderPlan& plan,
+         const Drawing& drawn, const Sight& sight, Tools& tools, OutputFiles& outputs) {
+  const bool turns = plan.frames > 0;
+  render::Camera camera;
+  const int code =
+      choose_camera(command.camera, sight, plan.aspect(), turns, session, command.input, camera);
+  if (code != kDone) return code;
+  auto drawer = FrameDrawer::make(drawn, std::move(tools.renderer));
+  if (!drawer.ok()) return session.fail(drawer.error(), command.input);
+  VideoWriter* const video = tools.video ? &*tools.video : nullptr;
+  RenderJob job{command, session, plan, drawn, sight, camera, drawer.value(), outputs, video};
+  return turns ? render_turntable(job) : render_picture(job);
+}
+
 int run_render(const RenderCommand& command, const Session& session) {
   OutputFiles outputs(session.options.overwrite);
   RenderPlan plan;
   if (const int code = make_plan(command, outputs, session, plan); code != kDone) return code;
-  auto renderer = make_renderer(command.backend, session.limits);
-  if (!renderer.ok()) return session.fail(renderer.error());
-
+  Tools tools;
+  if (const int code = get_tools(command, session, plan, tools); code != kDone) return code;
   Diagnostics diagnostics;
   Drawing drawn(session, diagnostics);
   if (command.level) drawn.set_level(*command.level);
@@ -75,15 +109,7 @@ int run_render(const RenderCommand& command, const Session& session) {
   if (const std::string useless = drawn.is_mesh() ? useless_for_mesh(command) : "";
       !useless.empty())
     return session.usage(useless);
-
-  render::Camera camera;
-  const int code = choose_camera(command.camera, sight, plan.aspect(), plan.frames > 0, session,
-                                 command.input, camera);
-  if (code != kDone) return code;
-  auto drawer = FrameDrawer::make(drawn, std::move(renderer).value());
-  if (!drawer.ok()) return session.fail(drawer.error(), command.input);
-  RenderJob job{command, session, plan, drawn, sight, camera, drawer.value(), outputs};
-  return plan.frames > 0 ? render_turntable(job) : render_picture(job);
+  return draw(command, session, plan, drawn, sight, tools, outputs);
 }
 
 }  // namespace

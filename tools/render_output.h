@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "afx/video_writer.h"
 #include "codec/error.h"
+#include "codec/limits.h"
 #include "render/renderer.h"
 #include "tools/drawing.h"
 #include "tools/frame_drawer.h"
@@ -24,6 +26,7 @@ struct RenderJob {
   render::Camera camera;  ///< of a turntable: the first
   FrameDrawer& drawer;
   OutputFiles& outputs;
+  VideoWriter* video;  ///< null: none is to be made
 };
 
 /// Without the alpha of RGBA.
@@ -38,6 +41,10 @@ std::string told_time(const RenderJob& job, double seconds);
 
 /// Draws one picture, writes it and compares it, as the plan says. Returns an exit code.
 int render_picture(RenderJob& job);
+
+/// The video that the plan asks for, begun. Errors  those of VideoWriter::begin
+Result<VideoWriter> begin_video(const RenderCommand& command, const RenderPlan& plan,
+                                const Limits& limits);
 
 /// Draws a turntable into files or a video. Returns an exit code.
 int render_turntable(RenderJob& job);

@@ -74,25 +74,15 @@ Status write_pictures(const RenderJob& job, Turntable& turntable) {
   return {};
 }
 
-Status write_video(const RenderJob& job, Turntable& turntable, VideoWriter& video) {
+Status write_video(const RenderJob& job, Turntable& turntable) {
   render::RenderedImage image;
   for (uint32_t k = 0; k < job.plan.frames; ++k) {
     if (Status drawn = turntable.draw(k, image); !drawn.ok()) return drawn;
-    if (Status added = video.add(image.picture); !added.ok()) return added;
+    if (Status added = job.video->add(image.picture); !added.ok()) return added;
   }
-  auto bytes = video.finish();
+  auto bytes = job.video->finish();
   if (!bytes.ok()) return std::move(bytes).error();
   return job.outputs.put(job.command.output, bytes.value());
-}
-
-Result<VideoWriter> begin_video(const RenderJob& job) {
-  VideoOptions options;
-  options.format = job.plan.format;
-  options.width = job.plan.options.width;
-  options.height = job.plan.options.height;
-  options.fps = job.command.fps.value_or(options.fps);
-  options.quality = job.command.video_quality.value_or(options.quality);
-  return VideoWriter::begin(options, job.session.limits);
 }
 
 std::vector<std::string> names_of(const RenderPlan& plan) {
@@ -118,7 +108,7 @@ nlohmann::ordered_json result_of(const RenderJob& job, const Turntable& turntabl
   return json;
 }
 
-std::string line_of(const RenderJob& job, const Turntable& turntable, const std::string& encoder) {
+std::string line_of(const RenderJob& job, const Turntable& turntable) {
   const std::string last = job.plan.names.name(job.plan.frames - 1);
   const std::string first = job.plan.names.name(0);
   const std::string files =
@@ -126,28 +116,38 @@ std::string line_of(const RenderJob& job, const Turntable& turntable, const std:
   return files + ": " + counted(job.plan.frames, "picture") + " of " +
          std::to_string(job.plan.options.width) + " x " + std::to_string(job.plan.options.height) +
          ", " + job.drawing.size() +
-         (encoder.empty() || !job.session.options.verbose ? "" : ", encoded by " + encoder) +
+         (job.video == nullptr || !job.session.options.verbose
+              ? ""
+              : ", encoded by " + job.video->encoder()) +
          told_time(job, turntable.seconds());
 }
 
 }  // namespace
 
+Result<VideoWriter> begin_video(const RenderCommand& command, const RenderPlan& plan,
+                                const Limits& limits) {
+  VideoOptions options;
+  options.format = plan.format;
+  options.width = plan.options.width;
+  options.height = plan.options.height;
+  options.fps = command.fps.value_or(options.fps);
+  options.quality = command.video_quality.value_or(options.quality);
+  return VideoWriter::begin(options, limits);
+}
+
 int render_turntable(RenderJob& job) {
-  std::optional<VideoWriter> video;
-  if (job.plan.is_video) {
-    auto begun = begin_video(job);
-    if (!begun.ok()) return job.session.fail(begun.error(), job.command.output);
-    video.emplace(std::move(begun).value());
-  }
   std::optional<Turntable> turntable(std::in_place, job);
   if (!job.session.options.dry_run) {
     const Status written =
-        video ? write_video(job, *turntable, *video) : write_pictures(job, *turntable);
-    if (!written.ok()) return job.session.fail(written.error(), job.command.output);
+        job.video != nullptr ? write_video(job, *turntable) : write_pictures(job, *turntable);
+    if (!written.ok()) {
+      turntable.reset();  // takes the bar away before anything is said
+      return job.session.fail(written.error(), job.command.output);
+    }
   }
-  const std::string line = line_of(job, *turntable, video ? video->encoder() : "");
+  const std::string line = line_of(job, *turntable);
   nlohmann::ordered_json json = result_of(job, *turntable);
-  turntable.reset();  // takes the bar away before anything is said
+  turntable.reset();
   return job.session.finish(job.outputs, job.command.output, {line}, std::move(json));
 }
 
