@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "tools/render_camera.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -248,39 +247,6 @@ nlohmann::ordered_json json_of(const render::Camera& camera) {
   }
   json["near"] = camera.near_plane;
   return json;
-}
-
-void add_camera_options(CLI::App& command, CameraOptions& options) {
-  const render::View view;
-  const std::string group = "Camera";
-  const auto add = [&](const char* name, auto& value, const char* text) {
-    return command.add_option(name, value, text)->group(group);
-  };
-  add("--azimuth", options.azimuth, "Degrees to the right of the front that the camera stands")
-      ->default_str(fixed(glm::degrees(view.azimuth), 4));
-  add("--elevation", options.elevation, "Degrees above the horizon that the camera stands")
-      ->check(CLI::Range(-90.0, 90.0))
-      ->default_str(fixed(glm::degrees(view.elevation), 4));
-  add("--margin", options.margin, "Free border, as a part of the picture")
-      ->check(CLI::Range(0.0, 0.45))
-      ->default_str(fixed(view.margin, 2));
-  add("--fov", options.field_of_view, "Full vertical angle of view in degrees")
-      ->check(CLI::Range(0.1, 170.0))
-      ->default_str(fixed(glm::degrees(view.field_of_view), 4));
-  command.add_flag("--orthographic", options.orthographic, "Parallel projection")->group(group);
-  add("--position", options.position, "X,Y,Z: where the camera stands, instead of fitting it");
-  add("--look-at", options.look_at,
-      "X,Y,Z: the point that it looks at (default: the middle of the model)");
-  add("--up", options.up, "X,Y,Z: what is up in the picture (default: 0,1,0)");
-  add("--orientation", options.orientation,
-      "AX,AY,AZ,ANGLE: axis and angle (radians) that turn the camera from looking along -z");
-  add("--view-height", options.view_height,
-      "Height of the view in scene units, with --orthographic and --position")
-      ->check(CLI::PositiveNumber);
-  add("--near", options.near_plane, "Distance from which on things are drawn")
-      ->check(CLI::PositiveNumber);
-  add("--viewpoint", options.viewpoint,
-      "Name, description or number (from 1) of a Viewpoint of the scene to look from");
 }
 
 }  // namespace afx::tools

@@ -29,8 +29,6 @@ struct CameraOptions {
   [[nodiscard]] bool is_fitted() const { return position.empty() && viewpoint.empty(); }
 };
 
-void add_camera_options(CLI::App& command, CameraOptions& options);
-
 /// A sentence about options that are wrong or do not go together; empty: there is none.
 std::string wrong_camera_option(const CameraOptions& options);
 
