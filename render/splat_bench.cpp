@@ -34,14 +34,14 @@ TestModel sphere(unsigned level) {
 /// Arguments: samples each way, threads.
 void draw_sphere(benchmark::State& state) {
   const TestModel model = sphere(9);
-  draw(state, model.scene(), model.codes.size());
+  draw(state, {.voxels = {model.smooth_cloud()}}, model.codes.size());
 }
 
 /// The same as models of 256 to 2048, one sample a pixel, one thread: the number of voxels grows
 /// four times from each to the next, the picture stays. Argument: the level.
 void draw_sphere_of_level(benchmark::State& state) {
   const TestModel model = sphere(static_cast<unsigned>(state.range(2)));
-  draw(state, model.scene(), model.codes.size());
+  draw(state, {.voxels = {model.smooth_cloud()}}, model.codes.size());
 }
 
 /// The same sphere as six cameras see it, a million surfels.
