@@ -57,13 +57,13 @@ void TilePainter::finish_samples() {
 }
 
 /// The mean of the samples over the background, both in linear light.
-void TilePainter::resolve_pixel(size_t first, uint8_t* pixel, float* depth) const {
+void TilePainter::resolve_pixel(size_t first, uint32_t x, uint32_t y, RenderedImage& image) const {
   const unsigned n = frame_.options.samples;
   float r = 0, g = 0, b = 0, covered = 0;
   float nearest = kFar;
-  for (size_t y = 0; y < n; ++y) {
-    for (size_t x = 0; x < n; ++x) {
-      const size_t i = first + y * samples_.side + x;
+  for (size_t row = 0; row < n; ++row) {
+    for (size_t column = 0; column < n; ++column) {
+      const size_t i = first + row * samples_.side + column;
       r += samples_.sum_r[i];
       g += samples_.sum_g[i];
       b += samples_.sum_b[i];
@@ -71,10 +71,18 @@ void TilePainter::resolve_pixel(size_t first, uint8_t* pixel, float* depth) cons
       nearest = std::min(nearest, samples_.depths[i]);
     }
   }
-  if (depth != nullptr) *depth = nearest;
+  if (!image.depth.empty()) image.depth[size_t{y} * frame_.options.width + x] = nearest;
+  uint8_t* const pixel = image.picture.pixel(x, y);
   const std::array<float, 256>& linear = srgb_to_linear();
   const Rgba8 back = frame_.options.background;
   const auto samples = static_cast<float>(n * n);
+  if (frame_.backdrop) {
+    glm::vec3 light(r, g, b);
+    if (covered < samples) light += (samples - covered) * frame_.backdrop->light(x, y);
+    for (int k = 0; k < 3; ++k) pixel[k] = linear_to_srgb(light[k] / samples);
+    pixel[3] = 255;
+    return;
+  }
   const float through = (samples - covered) * static_cast<float>(back.a) / 255;
   const float opaque = covered + through;
   if (opaque == 0) {  // keeps the background's colour, for those who drop alpha
@@ -94,14 +102,14 @@ void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) const {
   for (uint32_t py = y; py < y_end; ++py) {
     for (uint32_t px = x; px < x_end; ++px) {
       const size_t first = (size_t{py - y} * samples_.side + (px - x)) * options.samples;
-      float* depth = image.depth.empty() ? nullptr : &image.depth[size_t{py} * options.width + px];
-      resolve_pixel(first, image.picture.pixel(px, py), depth);
+      resolve_pixel(first, px, py, image);
     }
   }
 }
 
 void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
   samples_.clear(column, row);
+  shapes_.lay_walls(column, row, samples_);
   collect_surfels(column, row);
   const SplatTiles& tiles = frame_.surfels;
   for (const uint32_t i : surfels_)
@@ -111,6 +119,8 @@ void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
     lay_colour(Parallelogram(tiles.splat(i), tiles.slant(i)), samples_);
   for (const Splat& splat : voxels_) lay_colour(Disc(splat), samples_);
   finish_samples();
+  shapes_.lay_fog(samples_);
+  shapes_.lay_glass(column, row, samples_);
   resolve(column * frame_.grid.side, row * frame_.grid.side, image);
 }
 

@@ -9,15 +9,18 @@
 #include "render/renderer.h"
 #include "render/software/frame.h"
 #include "render/software/octree_walk.h"
+#include "render/software/shape_painter.h"
 #include "render/software/tile_samples.h"
 
 namespace afx::render {
 
 /// Draws one tile after another, at n x n samples a pixel. For one thread; holds 36 bytes a
-/// sample, 4 for each surfel and 32 for each voxel that touches the tile.
+/// sample, 4 for each surfel and 32 for each voxel that touches the tile, and what a ShapePainter
+/// holds.
 class TilePainter {
  public:
-  explicit TilePainter(const Frame& frame) : frame_(frame), samples_(frame.grid, frame.options) {}
+  explicit TilePainter(const Frame& frame)
+      : frame_(frame), samples_(frame.grid, frame.options), shapes_(frame) {}
 
   /// Draws a tile into its part of the image.
   void paint(uint32_t column, uint32_t row, RenderedImage& image);
@@ -27,10 +30,11 @@ class TilePainter {
   void lay_octrees();
   void finish_samples();
   void resolve(uint32_t x, uint32_t y, RenderedImage& image) const;
-  void resolve_pixel(size_t first, uint8_t* pixel, float* depth) const;
+  void resolve_pixel(size_t first, uint32_t x, uint32_t y, RenderedImage& image) const;
 
   const Frame& frame_;
   TileSamples samples_;
+  ShapePainter shapes_;
   OctreeWalk walk_;
   std::vector<uint32_t> surfels_;  // numbers of those of the tile
   std::vector<Splat> voxels_;      // those of the tile that may be seen
