@@ -60,6 +60,16 @@ TEST(ShapeLight, NormalsStandUprightOnStretchedSurfaces) {
   EXPECT_EQ(at(drawn(scene, front(4), kSmall), 20, 20).r, std::lround(255 / std::sqrt(17.0)));
 }
 
+TEST(ShapeLight, MirroredSurfacesAreLitFromTheirOutside) {
+  Shape shape = shape_of(square(1, 0), {.diffuse = glm::vec3(1)});
+  for (int axis = 0; axis < 2; ++axis) {
+    shape.to_world = glm::dmat4(1);
+    shape.to_world[axis][axis] = -1;
+    const Scene scene{.shapes = {shape}, .headlight = true};
+    EXPECT_EQ(at(drawn(scene, front(4), kSmall), 20, 20), (Rgba8{255, 255, 255, 255}));
+  }
+}
+
 TEST(ShapeLight, OnlyTheLightsOfAShapeFallOnIt) {
   Shape shape = shape_of(square(1, 0), {.diffuse = glm::vec3(1)});
   Scene scene{.lights = {{.colour = {1, 0, 0}}, {.colour = {0, 0, 1}}}};
