@@ -17,6 +17,7 @@ namespace afx::render {
 /// A piece on the rows of a tile. Values are reckoned in float, and where that leaves a doubt on
 /// which side of an edge a sample lies, in double: there the values of an edge and of its reverse
 /// differ in nothing but the sign, so neighbours leave no gap between them.
+/// Tiles are a multiple of four samples wide.
 class PieceRows {
  public:
   PieceRows(const Piece& piece, const TileSamples& tile)

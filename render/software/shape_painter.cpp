@@ -3,9 +3,7 @@
 #include "render/software/shape_painter.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <glm/common.hpp>
 
 #include "render/software/lanes.h"
 #include "render/software/piece_samples.h"
@@ -25,8 +23,9 @@ void store_where(LaneMask where, int32_t number, int32_t* to) {
 }  // namespace
 
 ShapePainter::ShapePainter(const Frame& frame)
-    : frame_(frame), shader_(frame.scene, frame.shapes, frame.lens, frame.options.samples) {
-  if (frame.scene.fog) fog_light_ = linear_light(frame.scene.fog->colour);
+    : frame_(frame),
+      shader_(frame.scene, frame.shapes, frame.lens, frame.options.samples),
+      fog_(frame.scene.fog, frame.lens, frame.options.samples) {
   if (frame.shapes.empty()) return;
   const size_t side = size_t{frame.grid.side} * frame.options.samples;
   seen_.assign(side * side + TileSamples::kPadding, kNone);
@@ -105,47 +104,15 @@ void ShapePainter::lay_walls(uint32_t column, uint32_t row, TileSamples& tile) {
   tile.touch(0, 0, tile.side, tile.side);
 }
 
-/// What fog leaves of something at a depth.
-float ShapePainter::fog_at(double x, double y, float depth) const {
-  const Lens& lens = frame_.lens;
-  double slant = 1;
-  if (lens.perspective) {
-    const double right = (x - lens.middle.x) / lens.focal, down = (y - lens.middle.y) / lens.focal;
-    slant = std::sqrt(1 + right * right + down * down);
-  }
-  return fog_leaves(*frame_.scene.fog, static_cast<float>(slant * static_cast<double>(depth)));
-}
-
-void ShapePainter::lay_fog(TileSamples& tile) const {
-  if (!frame_.scene.fog) return;
-  for (size_t y = 0; y < tile.side; ++y) {
-    for (size_t x = 0; x < tile.side; ++x) {
-      const size_t i = y * tile.side + x;
-      const float weight = tile.sum_weight[i];
-      if (weight == 0) continue;
-      const float part =
-          fog_at(static_cast<double>(tile.left) + static_cast<double>(x) + 0.5,
-                 static_cast<double>(tile.top) + static_cast<double>(y) + 0.5, tile.depths[i]);
-      tile.sum_r[i] = glm::mix(weight * fog_light_.r, tile.sum_r[i], part);
-      tile.sum_g[i] = glm::mix(weight * fog_light_.g, tile.sum_g[i], part);
-      tile.sum_b[i] = glm::mix(weight * fog_light_.b, tile.sum_b[i], part);
-    }
-  }
-}
-
 /// The samples of `seen_` see `piece` before what is there.
 void ShapePainter::blend(const Piece& piece, TileSamples& tile) {
   const auto last = static_cast<float>(tile.side) - 1;
   const size_t n = frame_.options.samples;
   const auto pixel = [&](float at) { return static_cast<size_t>(std::clamp(at, 0.0F, last)) / n; };
   const auto lay = [&](const Group& group, const Fragment& fragment) {
-    glm::vec3 light = fragment.light;
-    if (frame_.scene.fog) {
-      const auto value = static_cast<float>(value_at(piece.depth, group.x, group.y));
-      const float depth = piece.inverse ? 1 / value : value;
-      light = glm::mix(fog_light_, light,
-                       fog_at(group.x, group.y, glm::clamp(depth, piece.least, piece.most)));
-    }
+    const auto value = static_cast<float>(value_at(piece.depth, group.x, group.y));
+    const float depth = std::clamp(piece.inverse ? 1 / value : value, piece.least, piece.most);
+    const glm::vec3 light = fog_.mixed(fragment.light, group.x, group.y, depth);
     const float through = 1 - fragment.opacity;
     for (size_t k = 0; k < group.count; ++k) {
       const size_t i = group.samples[k];

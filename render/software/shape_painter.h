@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/software/fog_painter.h"
 #include "render/software/frame.h"
 #include "render/software/shape_shader.h"
 #include "render/software/tile_samples.h"
@@ -26,7 +27,7 @@ class ShapePainter {
   /// called before all else.
   void lay_walls(uint32_t column, uint32_t row, TileSamples& tile);
   /// Mixes fog into all that is there. To be called when the sums are colours with coverage.
-  void lay_fog(TileSamples& tile) const;
+  void lay_fog(TileSamples& tile) const { fog_.lay(tile); }
   /// Lays the transparent shapes over that. Depths stay.
   void lay_glass(uint32_t column, uint32_t row, TileSamples& tile);
 
@@ -44,11 +45,10 @@ class ShapePainter {
   void shade_pixel(const TileSamples& tile, size_t first, const Lay& lay);
   [[nodiscard]] Group take_group(const TileSamples& tile, size_t first, size_t sample);
   void blend(const Piece& piece, TileSamples& tile);
-  [[nodiscard]] float fog_at(double x, double y, float depth) const;
 
   const Frame& frame_;
   ShapeShader shader_;
-  glm::vec3 fog_light_{0};
+  FogPainter fog_;
   std::vector<Piece> pieces_;
   std::vector<int32_t> seen_;  // for each sample the number of a piece, or kNone
 };
