@@ -23,14 +23,14 @@ namespace afx {
 struct Geometry {
   enum class Kind : uint8_t { triangles, lines, points };
   Kind kind = Kind::triangles;
-  std::vector<glm::vec3> positions;  ///< of the corners; finite
-  std::vector<glm::vec3> normals;    ///< triangles: one for each position, of length 1, outwards;
-                                     ///< else empty
-  std::vector<glm::vec2> texture_coordinates;  ///< one for each position, (0, 0) the lower left
-                                               ///< corner of the picture; or empty
-  std::vector<glm::vec3> colours;  ///< one for each position, 0..1, instead of the diffuse colour
-                                   ///< (lines, points: the emissive); or empty
-  std::vector<uint32_t> indices;   ///< numbers of positions: 3, 2 or 1 for each primitive
+  std::vector<glm::vec3> positions{};  ///< of the corners; finite
+  std::vector<glm::vec3> normals{};    ///< triangles: one for each position, of length 1, outwards;
+                                       ///< else empty
+  std::vector<glm::vec2> texture_coordinates{};  ///< one for each position, (0, 0) the lower left
+                                                 ///< corner of the picture; or empty
+  std::vector<glm::vec3> colours{};  ///< one for each position, 0..1, instead of the diffuse colour
+                                     ///< (lines, points: the emissive); or empty
+  std::vector<uint32_t> indices{};   ///< numbers of positions: 3, 2 or 1 for each primitive
   /// Triangles: only the outside is drawn, from where the corners run counter-clockwise. Otherwise
   /// both sides are, and light falls on the one that is seen.
   bool solid = true;
@@ -54,7 +54,7 @@ struct Look {
   float transparency = 0;  ///< 0 opaque..1 invisible
   /// 1 or 2 components: multiplies the diffuse colour or the corners' (unlit: is the colour);
   /// 3 or 4: takes its place. The last of 2 or 4 is opacity, in place of 1 - transparency.
-  std::shared_ptr<const Picture> texture;
+  std::shared_ptr<const Picture> texture{};
   bool repeat_s = true, repeat_t = true;  ///< false: the picture's edge goes on
   glm::mat3 texture_transform{1};         ///< applied to (s, t, 1)
 };
@@ -79,7 +79,7 @@ struct Shape {
   std::shared_ptr<const Geometry> geometry;  ///< not null
   std::shared_ptr<const Look> look;          ///< not null
   glm::dmat4 to_world{1};                    ///< affine
-  std::vector<uint32_t> lights;  ///< numbers of those that fall on it, of the scene's list
+  std::vector<uint32_t> lights{};  ///< numbers of those that fall on it, of the scene's list
 };
 
 }  // namespace afx

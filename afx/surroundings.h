@@ -20,14 +20,14 @@ namespace afx {
 /// A sky around everything, infinitely far away. Colours are display values, 0..1.
 struct Backdrop {
   std::vector<glm::vec3> sky_colours{glm::vec3(0)};  ///< from the zenith (+y) down; at least one
-  std::vector<float> sky_angles;  ///< radians from the zenith, rising; one less than colours. Below
-                                  ///< the last the last colour stays
-  std::vector<glm::vec3> ground_colours;  ///< from the nadir up; none: no ground
-  std::vector<float> ground_angles;       ///< radians from the nadir; above the last: the sky
+  std::vector<float> sky_angles{};  ///< radians from the zenith, rising; one less than colours.
+                                    ///< Below the last the last colour stays
+  std::vector<glm::vec3> ground_colours{};  ///< from the nadir up; none: no ground
+  std::vector<float> ground_angles{};       ///< radians from the nadir; above the last: the sky
   /// Pictures on a cube around the viewer, over sky and ground: front (-z), back, left, right, top,
   /// bottom; null: none. Seen from the middle with +y up; top and bottom as one sees them turning
   /// up or down from the front.
-  std::array<std::shared_ptr<const Picture>, 6> pictures;
+  std::array<std::shared_ptr<const Picture>, 6> pictures{};
   glm::dmat3 to_world{1};  ///< a rotation
 };
 

@@ -80,8 +80,13 @@ void resize(RenderedImage& image, const RenderOptions& options);
 /// it is stretched the less it counts: then it comes from a picture that saw the surface from
 /// aside.
 ///
-/// Shapes hide and are hidden by depth alone; transparent ones are laid over what is behind them,
-/// the farthest first. Fog is mixed in by the distance of a sample.
+/// Shapes hide and are hidden by depth alone; of those as deep as others the first in the scene is
+/// seen. Light falls on them as VRML97 says (shading.h). Lines are one pixel wide, points a square
+/// pixel. Transparent triangles are laid over what is behind them, the farthest first, by their
+/// middle; so those that pass through each other are in part laid the wrong way round. Fog is mixed
+/// in by the distance of a sample from the eye, in linear light, over all but background and
+/// backdrop. The backdrop is opaque; parallel projections see it as perspective ones of 45 degrees
+/// would.
 ///
 /// Source  the paper, section VI (splat size); VRML97 (light, fog, background); bulge and mixing
 /// are
@@ -113,7 +118,8 @@ class Renderer {
 /// Draws on the CPU: the reference for every other renderer. Needs nothing; the picture is the same
 /// on every machine. Time grows with the pixels that are covered and with the surfels; of octrees
 /// what is hidden or out of view is passed over in whole subtrees. Memory is at most 88 bytes a
-/// surfel, 12 a corner of a shape and some 16 a pixel.
+/// surfel, 24 a position and 32 a triangle, line or point of a shape, 16 / 3 a pixel of a texture,
+/// and some 16 a pixel.
 [[nodiscard]] std::unique_ptr<Renderer> make_software_renderer(const Limits& limits = {});
 
 /// Draws one picture with it.

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "codec/octree_voxels.h"
+#include "render/shape_check.h"
 
 namespace afx::render {
 namespace {
@@ -18,19 +19,9 @@ constexpr unsigned kOutlineLevel = 5;
 
 Error bad(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
 
-Status check_matrix(const glm::dmat4& m, const std::string& whose) {
-  bool affine = true;
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) affine = affine && std::isfinite(m[column][row]);
-    affine = affine && m[column][3] == (column == 3 ? 1 : 0);
-  }
-  if (affine) return {};
-  return bad("the matrix of a " + whose + " is not affine or not finite");
-}
-
 Status check(const VoxelCloud& cloud) {
   if (cloud.tree == nullptr) return bad("a voxel cloud without voxels");
-  return check_matrix(cloud.local_to_world, "voxel cloud");
+  return check_affine(cloud.local_to_world, "voxel cloud");
 }
 
 Status check(const SurfelCloud& cloud) {
@@ -41,52 +32,18 @@ Status check(const SurfelCloud& cloud) {
                std::to_string(s.v.size()) + " sides and " + std::to_string(s.colours.size()) +
                " colours (expected as many)");
   }
-  return check_matrix(cloud.local_to_world, "surfel cloud");
-}
-
-Status check(const Geometry& geometry) {
-  const size_t count = geometry.positions.size();
-  const auto fits = [count](size_t size) { return size == 0 || size == count; };
-  if (!fits(geometry.normals.size()) || !fits(geometry.texture_coordinates.size()) ||
-      !fits(geometry.colours.size())) {
-    return bad("a shape of " + std::to_string(count) +
-               " corners with other numbers of normals, texture coordinates or colours");
-  }
-  if (geometry.kind == Geometry::Kind::triangles && geometry.normals.size() != count)
-    return bad("triangles without normals");
-  const size_t each = corners_of(geometry.kind);
-  if (geometry.indices.size() % each != 0)
-    return bad("a shape whose indices end inside of a primitive");
-  for (const uint32_t index : geometry.indices) {
-    if (index >= count) {
-      return bad("a shape names corner " + std::to_string(index) + " (expected below " +
-                 std::to_string(count) + ")");
-    }
-  }
-  return {};
-}
-
-Status check(const Shape& shape, size_t lights) {
-  if (shape.geometry == nullptr || shape.look == nullptr)
-    return bad("a shape without geometry or look");
-  for (const uint32_t light : shape.lights) {
-    if (light >= lights) {
-      return bad("a shape names light " + std::to_string(light) + " (expected below " +
-                 std::to_string(lights) + ")");
-    }
-  }
-  if (Status s = check(*shape.geometry); !s.ok()) return s;
-  return check_matrix(shape.to_world, "shape");
+  return check_affine(cloud.local_to_world, "surfel cloud");
 }
 
 Status check_count(const Scene& scene) {
   uint64_t pieces = 0;
   for (const VoxelCloud& cloud : scene.voxels) pieces += cloud.tree->voxels();
   for (const SurfelCloud& cloud : scene.surfels) pieces += cloud.surfels->size();
+  for (const Shape& shape : scene.shapes) pieces += shape.geometry->indices.size();
   if (pieces < uint64_t{1} << 30) return {};
-  return Error{
-      Errc::limit_exceeded, Place::none(),
-      "a scene of " + std::to_string(pieces) + " voxels and surfels (expected fewer than 2^30)"};
+  return Error{Errc::limit_exceeded, Place::none(),
+               "a scene of " + std::to_string(pieces) +
+                   " voxels, surfels and corners of shapes (expected fewer than 2^30)"};
 }
 
 void add_cell(const VoxelCloud& cloud, uint64_t cell, unsigned level,
@@ -160,7 +117,13 @@ Status check_scene(const Scene& scene) {
   for (const SurfelCloud& cloud : scene.surfels)
     if (Status s = check(cloud); !s.ok()) return s;
   for (const Shape& shape : scene.shapes)
-    if (Status s = check(shape, scene.lights.size()); !s.ok()) return s;
+    if (Status s = check_shape(shape, scene.lights.size()); !s.ok()) return s;
+  for (const Light& light : scene.lights)
+    if (Status s = check_light(light); !s.ok()) return s;
+  if (scene.fog)
+    if (Status s = check_fog(*scene.fog); !s.ok()) return s;
+  if (scene.backdrop)
+    if (Status s = check_backdrop(*scene.backdrop); !s.ok()) return s;
   return check_count(scene);
 }
 

@@ -50,8 +50,8 @@ struct Scene {
 
 /// Checks what came from elsewhere: null pointers, lists of different lengths, numbers out of
 /// range, matrices that are not affine or not finite.
-/// Errors  bad_argument (the text names what is wrong); limit_exceeded: 2^30 voxels and surfels or
-///         more
+/// Errors  bad_argument (the text names what is wrong); limit_exceeded: 2^30 voxels, surfels and
+///         indices of corners or more
 [[nodiscard]] Status check_scene(const Scene& scene);
 
 /// Points in world coordinates whose convex hull holds everything in the scene that is drawn,

@@ -368,7 +368,7 @@ TEST(Surfels, LimitsAreKept) {
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.error().code, Errc::limit_exceeded);
   EXPECT_EQ(image.error().text,
-            "drawing 1 surfels into 100 pixels needs more than the limits allow");
+            "drawing 1 surfels and 0 shapes into 100 pixels needs more than the limits allow");
   limits.memory = 488;
   EXPECT_TRUE(render(scene_of(surfels), Camera{}, options, limits).ok());
 }

@@ -4,14 +4,18 @@
 
 namespace afx::render {
 
-Frame::Frame(const Scene& the_scene, const Camera& camera, const RenderOptions& the_options)
+Frame::Frame(const Scene& the_scene, const MipPictures& pictures, const Camera& camera,
+             const RenderOptions& the_options)
     : scene(the_scene),
       options(the_options),
       lens(camera, options),
       grid(options),
-      surfels(scene.surfels, lens, options) {
+      surfels(scene.surfels, lens, options),
+      shapes(scene, lens, options, pictures) {
   octrees.reserve(scene.voxels.size());
   for (const VoxelCloud& cloud : scene.voxels) octrees.emplace_back(cloud, lens, options);
+  if (options.backdrop && scene.backdrop)
+    backdrop.emplace(*scene.backdrop, lens, options, pictures);
 }
 
 }  // namespace afx::render

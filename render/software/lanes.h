@@ -25,6 +25,7 @@ AFX_PART_OF_CALLER Lanes load(const float* from) {
   return lanes;
 }
 AFX_PART_OF_CALLER void store(float* to, Lanes lanes) { std::memcpy(to, &lanes, sizeof lanes); }
+AFX_PART_OF_CALLER Lanes least(Lanes a, Lanes b) { return b < a ? b : a; }
 AFX_PART_OF_CALLER Lanes most(Lanes a, Lanes b) { return a < b ? b : a; }
 AFX_PART_OF_CALLER bool any(LaneMask mask) {
   int64_t parts[4];

@@ -71,7 +71,8 @@ struct Counts {
 
 /// Draws every tile in both ways and expects the same sums, bit for bit.
 Counts expect_equal(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  const Frame frame(scene, camera, options);
+  const MipPictures pictures;
+  const Frame frame(scene, pictures, camera, options);
   TileSamples walked(frame.grid, options), plain(frame.grid, options);
   OctreeWalk walk;
   Counts counts;

@@ -62,6 +62,18 @@ void PixelRow::blend(Rgba8 background) {
   }
 }
 
+void PixelRow::blend(const BackdropPainter& backdrop, uint32_t x, uint32_t y, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    const float through = std::max(0.0F, 1 - a_[i]);
+    a_[i] = 1;
+    if (through == 0) continue;
+    const glm::vec3 light = backdrop.light(x + static_cast<uint32_t>(i), y);
+    r_[i] += through * light.r;
+    g_[i] += through * light.g;
+    b_[i] += through * light.b;
+  }
+}
+
 void PixelRow::encode(uint8_t* pixels, size_t count) const {
   const SrgbEncoder& encoded = SrgbEncoder::get();
   for (size_t i = 0; i < count; ++i, pixels += 4) {

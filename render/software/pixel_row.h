@@ -10,6 +10,7 @@
 
 #include "afx/picture.h"
 #include "render/renderer.h"
+#include "render/software/backdrop_painter.h"
 #include "render/software/tile_samples.h"
 
 namespace afx::render {
@@ -24,6 +25,8 @@ class PixelRow {
   void sum(const TileSamples& samples, uint32_t row, const RenderOptions& options);
   /// Lays them over the background.
   void blend(Rgba8 background);
+  /// Lays the first `count` over the scene's backdrop. x, y   of the first pixel in the picture
+  void blend(const BackdropPainter& backdrop, uint32_t x, uint32_t y, size_t count);
   /// Writes the first `count` pixels as RGBA, sRGB, straight alpha.
   void encode(uint8_t* pixels, size_t count) const;
 

@@ -38,7 +38,11 @@ void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) {
   const uint32_t rows = std::min(frame_.grid.side, options.height - y);
   for (uint32_t row = 0; row < rows; ++row) {
     pixels_.sum(samples_, row, options);
-    pixels_.blend(options.background);
+    if (frame_.backdrop) {
+      pixels_.blend(*frame_.backdrop, x, y + row, columns);
+    } else {
+      pixels_.blend(options.background);
+    }
     pixels_.encode(image.picture.pixel(x, y + row), columns);
     if (!options.depth) continue;
     std::copy_n(pixels_.depths().begin(), columns,
@@ -48,6 +52,7 @@ void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) {
 
 void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
   samples_.clear(column, row);
+  shapes_.lay_walls(column, row, samples_);
   collect_surfels(column, row);
   const SplatTiles& tiles = frame_.surfels;
   for (const uint32_t i : surfels_)
@@ -57,6 +62,8 @@ void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
     painter_.lay_surfel_colour(tiles.splat(i), tiles.slant(i), samples_);
   for (const VoxelSplat& v : voxels_) painter_.lay_disc_colour(v.splat, v.tilt, samples_);
   painter_.finish(samples_);
+  shapes_.lay_fog(samples_);
+  shapes_.lay_glass(column, row, samples_);
   resolve(column * frame_.grid.side, row * frame_.grid.side, image);
 }
 
