@@ -58,8 +58,14 @@ void draw(benchmark::State& state, const Scene& scene, size_t splats) {
 
 /// Arguments: samples each way, coarseness (0: every voxel).
 void gl_sphere(benchmark::State& state) { draw(state, sphere().scene(), sphere().codes.size()); }
-BENCHMARK(gl_sphere)->Args({1, 0})->Args({1, 1})->Args({3, 0})->Args({3, 1})->UseRealTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(gl_sphere)
+    ->Args({1, 0})
+    ->Args({1, 1})
+    ->Args({3, 0})
+    ->Args({3, 1})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 /// The same sphere as six cameras see it, a million surfels.
 void gl_surfel_sphere(benchmark::State& state) {
@@ -70,6 +76,7 @@ void gl_surfel_sphere(benchmark::State& state) {
 BENCHMARK(gl_surfel_sphere)
     ->Args({1, 0})
     ->Args({3, 0})
+    ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
@@ -173,7 +180,7 @@ void plain_points(benchmark::State& state) {
   state.counters["pixels"] = static_cast<double>(seen);
   state.SetLabel(features.value().name);
 }
-BENCHMARK(plain_points)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(plain_points)->MeasureProcessCPUTime()->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace afx::render

@@ -13,6 +13,9 @@
 
 namespace afx::render {
 
+/// What both kinds have in common; see GlView::set_uniforms.
+std::string splat_vertex_part();
+std::string splat_fragment_part();
 /// Of the nodes of an octree; see gl_voxels.h for its uniforms.
 std::string voxel_vertex_shader();
 std::string voxel_fragment_shader();
