@@ -18,6 +18,7 @@ TEST(EglContext, IsMadeOrSaysWhatIsMissing) {
     ASSERT_TRUE(features.ok()) << features.error().text;
     EXPECT_GE(features.value().version, 30);
     EXPECT_GE(features.value().most_point, 1);
+    EXPECT_TRUE(check_gl("asking").ok());
     EXPECT_TRUE(features.value().name.starts_with("OpenGL ")) << features.value().name;
     return;
   }

@@ -3,7 +3,6 @@
 #include "render/gl/gl_objects.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace afx::render {
 namespace {
@@ -90,7 +89,7 @@ Result<GlFeatures> GlFeatures::find() {
                     (found.version >= 32 || epoxy_has_gl_extension("GL_EXT_float_blend"))))
     return refused(found.name + " cannot add up colours in floats (expected GL_EXT_float_blend)");
   GLfloat range[2] = {1, 1};
-  glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range);
+  glGetFloatv(found.es ? GL_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, range);
   found.most_point = std::clamp(range[1], 1.0F, 512.0F);
   found.conservative_depth =
       !found.es && (found.version >= 42 || epoxy_has_gl_extension("GL_ARB_conservative_depth"));
@@ -143,6 +142,10 @@ void GlProgram::set(const char* name, const glm::ivec3& value) const {
 }
 void GlProgram::set(const char* name, const glm::mat3& value) const {
   glUniformMatrix3fv(place(name), 1, GL_FALSE, &value[0].x);
+}
+void GlProgram::set(const char* name, const std::vector<int>& values) const {
+  if (!values.empty())
+    glUniform1iv(place(name), static_cast<GLsizei>(values.size()), values.data());
 }
 
 Status check_gl(const std::string& doing) {

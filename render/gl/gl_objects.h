@@ -13,6 +13,7 @@
 #include <glm/vec4.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "codec/error.h"
 
@@ -101,6 +102,7 @@ class GlProgram {
   void set(const char* name, const glm::ivec2& value) const;
   void set(const char* name, const glm::ivec3& value) const;
   void set(const char* name, const glm::mat3& value) const;
+  void set(const char* name, const std::vector<int>& values) const;  // of an array
 
   explicit operator bool() const { return static_cast<bool>(id_); }
 

@@ -13,11 +13,13 @@ namespace afx::render {
 /// Draws with OpenGL 3.3 or OpenGL ES 3.0, in the context that was current when it was made, which
 /// must be current in each call and when it goes. Draws what every renderer draws (renderer.h).
 ///
-/// A tile of the picture after the other: a first pass finds the nearest depth of each sample, a
-/// second adds the colours of what lies not far behind it, a third takes the mean of the samples.
-/// Octrees and surfels are uploaded once, however many clouds share them, also if the next scene
-/// has them too. Memory of the graphics system: 12 bytes a voxel, 32 a node above, 40 a surfel, and
-/// 84 MB for a tile.
+/// A tile of the picture after the other: opaque shapes; of splats in a first pass the nearest
+/// depth of each sample, in a second the colours of what lies not far behind it; fog; transparent
+/// shapes; the mean of the samples. Shapes are shaded at each sample. Octrees, surfels, geometries
+/// and pictures are uploaded once, however many objects share them, also if the next scene has them
+/// too. Memory of the graphics system: 12 bytes a voxel, 32 a node above, 40 a surfel, 44 a corner
+/// and 4 an index (48 a line or point), 16 / 3 a pixel of a texture, and 84 MB for a tile, 80 MB
+/// more where there are shapes or fog.
 ///
 /// Leaves the framebuffer and the viewport as it finds them; of other state nothing is kept.
 class GlRenderer : public Renderer {

@@ -60,23 +60,23 @@ GlSplats::Frame GlSplats::frame(const Scene& scene, const Lens& lens,
   return frame;
 }
 
-const GlProgram& GlSplats::begin(const GlView& view, unsigned variant) const {
+const GlProgram& GlSplats::begin(const GlView& view, unsigned variant, bool walls) const {
   const GlProgram& program = programs_[variant];
   program.use();
   view.set_uniforms(program);
-  program.set("has_walls", 0);
+  program.set("has_walls", walls ? 1 : 0);
   program.set("walls", 2);
   return program;
 }
 
-void GlSplats::draw_voxels(Frame& frame, const GlView& view, unsigned variant) const {
+void GlSplats::draw_voxels(Frame& frame, const GlView& view, unsigned variant, bool walls) const {
   const GlProgram* program = nullptr;
   for (GlVoxelCloud& cloud : frame.voxels) {
     for (unsigned level = 0; level < cloud.levels(); ++level) {
       // Only colours are different for the levels above the last.
       if ((variant & colour) != 0 && cloud.has_sides(level) != ((variant & sides) != 0)) continue;
       if (!cloud.has_any(level, (variant & quads) != 0)) continue;
-      if (program == nullptr) program = &begin(view, variant);
+      if (program == nullptr) program = &begin(view, variant, walls);
       if ((variant & quads) != 0) {
         cloud.draw_quads(*program, level);
       } else {
@@ -86,9 +86,9 @@ void GlSplats::draw_voxels(Frame& frame, const GlView& view, unsigned variant) c
   }
 }
 
-void GlSplats::draw_surfels(Frame& frame, const GlView& view, unsigned variant) const {
+void GlSplats::draw_surfels(Frame& frame, const GlView& view, unsigned variant, bool walls) const {
   if (frame.surfels.empty()) return;
-  const GlProgram& program = begin(view, variant | surfels);
+  const GlProgram& program = begin(view, variant | surfels, walls);
   for (const GlSurfelCloud& cloud : frame.surfels) {
     if ((variant & quads) != 0) {
       cloud.draw_quads(program);
@@ -98,20 +98,21 @@ void GlSplats::draw_surfels(Frame& frame, const GlView& view, unsigned variant) 
   }
 }
 
-void GlSplats::draw(Frame& frame, const GlView& view, const GlTarget& target) const {
+void GlSplats::draw(Frame& frame, const GlView& view, const GlTarget& target, bool walls) const {
   for (GlVoxelCloud& cloud : frame.voxels) cloud.look(view);
   for (GlSurfelCloud& cloud : frame.surfels) cloud.look(view);
   if (!features_.es) glEnable(GL_PROGRAM_POINT_SIZE);
-  target.begin_depths();
+  target.begin_depths(walls);
+  if (walls) target.bind_walls();
   for (const unsigned variant : {0U, static_cast<unsigned>(quads)}) {
-    draw_voxels(frame, view, variant);
-    draw_surfels(frame, view, variant);
+    draw_voxels(frame, view, variant, walls);
+    draw_surfels(frame, view, variant, walls);
   }
   target.begin_colours();
   for (const unsigned variant : {0U, static_cast<unsigned>(quads)}) {
-    draw_voxels(frame, view, variant | colour);
-    draw_voxels(frame, view, variant | colour | sides);
-    draw_surfels(frame, view, variant | colour);
+    draw_voxels(frame, view, variant | colour, walls);
+    draw_voxels(frame, view, variant | colour | sides, walls);
+    draw_surfels(frame, view, variant | colour, walls);
   }
 }
 

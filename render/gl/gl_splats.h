@@ -34,14 +34,15 @@ class GlSplats {
   [[nodiscard]] Frame frame(const Scene& scene, const Lens& lens,
                             const RenderOptions& options) const;
   /// Draws into the target's samples.
-  void draw(Frame& frame, const GlView& view, const GlTarget& target) const;
+  /// walls   the target has walls: splats must lie before them
+  void draw(Frame& frame, const GlView& view, const GlTarget& target, bool walls) const;
 
  private:
   /// A program for each combination of these.
   enum Variant : unsigned { quads = 1, colour = 2, sides = 4, surfels = 8 };
-  void draw_voxels(Frame& frame, const GlView& view, unsigned variant) const;
-  void draw_surfels(Frame& frame, const GlView& view, unsigned variant) const;
-  const GlProgram& begin(const GlView& view, unsigned variant) const;
+  void draw_voxels(Frame& frame, const GlView& view, unsigned variant, bool walls) const;
+  void draw_surfels(Frame& frame, const GlView& view, unsigned variant, bool walls) const;
+  const GlProgram& begin(const GlView& view, unsigned variant, bool walls) const;
 
   GlFeatures features_;
   std::array<GlProgram, 16> programs_;

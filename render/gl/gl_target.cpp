@@ -22,6 +22,24 @@ void attach(GLenum place, const GlTexture& to) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, to.id(), 0);
 }
 
+void bind(GLenum unit, const GlTexture& to) {
+  glActiveTexture(unit);
+  glBindTexture(GL_TEXTURE_2D, to.id());
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void clear_colours() {
+  constexpr GLfloat kNothing[4] = {0, 0, 0, 0};
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, kNothing);
+}
+
+void clear_depths() {
+  constexpr GLfloat kFarthest = 1;
+  glDepthMask(GL_TRUE);
+  glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+}
+
 Status check_framebuffer() {
   if (Status s = check_gl("making textures to draw into"); !s.ok()) return s;
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
@@ -40,43 +58,86 @@ void put_infinity(float* first, const GlTile& tile, size_t row_length) {
 
 }  // namespace
 
-Status GlTarget::reserve(uint32_t width, uint32_t height, unsigned samples) {
+Status GlTarget::reserve(uint32_t width, uint32_t height, unsigned samples, bool layers) {
   const auto columns = static_cast<GLsizei>(width), rows = static_cast<GLsizei>(height);
   const GLsizei wide = columns * static_cast<GLsizei>(samples);
   const GLsizei high = rows * static_cast<GLsizei>(samples);
   if (wide > width_ || high > height_) {
     width_ = std::max(width_, wide);
     height_ = std::max(height_, high);
-    sums_ = texture(GL_RGBA32F, GL_RGBA, GL_FLOAT, width_, height_);
-    depths_ = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width_, height_);
-    samples_ = GlFramebuffer::make();
-    glBindFramebuffer(GL_FRAMEBUFFER, samples_.id());
-    attach(GL_COLOR_ATTACHMENT0, sums_);
-    attach(GL_DEPTH_ATTACHMENT, depths_);
-    if (Status s = check_framebuffer(); !s.ok()) return s;
+    layers_ = false;
+    if (Status s = make_samples(); !s.ok()) return s;
   }
-  if (columns > columns_ || rows > rows_) {
-    columns_ = std::max(columns_, columns);
-    rows_ = std::max(rows_, rows);
-    colours_ = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, columns_, rows_);
-    nearest_ = texture(GL_R32F, GL_RED, GL_FLOAT, columns_, rows_);
-    pixels_ = GlFramebuffer::make();
-    glBindFramebuffer(GL_FRAMEBUFFER, pixels_.id());
-    attach(GL_COLOR_ATTACHMENT0, colours_);
-    attach(GL_COLOR_ATTACHMENT1, nearest_);
-    if (Status s = check_framebuffer(); !s.ok()) return s;
+  if (layers && !layers_) {
+    if (Status s = make_layers(); !s.ok()) return s;
+    layers_ = true;
   }
-  return {};
+  if (columns <= columns_ && rows <= rows_) return {};
+  columns_ = std::max(columns_, columns);
+  rows_ = std::max(rows_, rows);
+  return make_pixels();
 }
 
-void GlTarget::begin_depths() const {
+Status GlTarget::make_samples() {
+  sums_ = texture(GL_RGBA32F, GL_RGBA, GL_FLOAT, width_, height_);
+  depths_ = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width_, height_);
+  samples_ = GlFramebuffer::make();
   glBindFramebuffer(GL_FRAMEBUFFER, samples_.id());
-  constexpr GLfloat kNothing[4] = {0, 0, 0, 0};
-  constexpr GLfloat kFarthest = 1;
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  attach(GL_COLOR_ATTACHMENT0, sums_);
+  attach(GL_DEPTH_ATTACHMENT, depths_);
+  return check_framebuffer();
+}
+
+Status GlTarget::make_layers() {
+  wall_colours_ = texture(GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width_, height_);
+  wall_depths_ = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width_, height_);
+  finished_ = texture(GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width_, height_);
+  walls_ = GlFramebuffer::make();
+  glBindFramebuffer(GL_FRAMEBUFFER, walls_.id());
+  attach(GL_COLOR_ATTACHMENT0, wall_colours_);
+  attach(GL_DEPTH_ATTACHMENT, wall_depths_);
+  if (Status s = check_framebuffer(); !s.ok()) return s;
+  finish_ = GlFramebuffer::make();  // without depths, which are looked up meanwhile
+  glBindFramebuffer(GL_FRAMEBUFFER, finish_.id());
+  attach(GL_COLOR_ATTACHMENT0, finished_);
+  if (Status s = check_framebuffer(); !s.ok()) return s;
+  glass_ = GlFramebuffer::make();
+  glBindFramebuffer(GL_FRAMEBUFFER, glass_.id());
+  attach(GL_COLOR_ATTACHMENT0, finished_);
+  attach(GL_DEPTH_ATTACHMENT, depths_);
+  return check_framebuffer();
+}
+
+Status GlTarget::make_pixels() {
+  colours_ = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, columns_, rows_);
+  nearest_ = texture(GL_R32F, GL_RED, GL_FLOAT, columns_, rows_);
+  pixels_ = GlFramebuffer::make();
+  glBindFramebuffer(GL_FRAMEBUFFER, pixels_.id());
+  attach(GL_COLOR_ATTACHMENT0, colours_);
+  attach(GL_COLOR_ATTACHMENT1, nearest_);
+  return check_framebuffer();
+}
+
+void GlTarget::begin_walls() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, walls_.id());
+  clear_colours();
+  clear_depths();
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+}
+
+void GlTarget::begin_depths(bool walls) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_.id());
+  clear_colours();
+  if (walls) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, walls_.id());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+  } else {
+    clear_depths();
+  }
   glDepthMask(GL_TRUE);
-  glClearBufferfv(GL_COLOR, 0, kNothing);
-  glClearBufferfv(GL_DEPTH, 0, &kFarthest);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
@@ -92,12 +153,32 @@ void GlTarget::begin_colours() const {
   glBlendFunc(GL_ONE, GL_ONE);
 }
 
-void GlTarget::bind_samples() const {
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, sums_.id());
-  glActiveTexture(GL_TEXTURE1);
-  glBindTexture(GL_TEXTURE_2D, depths_.id());
-  glActiveTexture(GL_TEXTURE0);
+void GlTarget::begin_finish() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, finish_.id());
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void GlTarget::begin_glass() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, glass_.id());
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void GlTarget::bind_samples(bool finished) const {
+  bind(GL_TEXTURE0, finished ? finished_ : sums_);
+  bind(GL_TEXTURE1, depths_);
+}
+
+void GlTarget::bind_walls() const {
+  bind(GL_TEXTURE2, wall_depths_);
+  bind(GL_TEXTURE3, wall_colours_);
 }
 
 void GlTarget::begin_pixels(const GlTile& tile, bool depth) const {
