@@ -20,9 +20,9 @@ namespace {
 
 constexpr void (*kCommands[])(CLI::App&, Session&) = {add_build,   add_encode,    add_decode,
                                                       add_info,    add_trace,     add_render,
-                                                      add_compare, add_completion};
+                                                      add_view,    add_compare,   add_completion};
 /// Commands that are promised, but not in this build.
-constexpr const char* kLaterCommands[] = {"view", "conformance"};
+constexpr const char* kLaterCommands[] = {"conformance"};
 
 extern "C" void on_interrupt(int /*signal*/) {
   remove_temporary_files();

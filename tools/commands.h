@@ -19,6 +19,7 @@ void add_decode(CLI::App& program, Session& session);
 void add_info(CLI::App& program, Session& session);
 void add_trace(CLI::App& program, Session& session);
 void add_render(CLI::App& program, Session& session);
+void add_view(CLI::App& program, Session& session);
 void add_compare(CLI::App& program, Session& session);
 void add_completion(CLI::App& program, Session& session);
 
