@@ -53,9 +53,6 @@ class Drawing {
   [[nodiscard]] Result<render::RenderedImage> draw(const render::Camera& camera,
                                                    const render::RenderOptions& options) const;
 
-  /// What is drawn; nothing where it is a mesh.
-  [[nodiscard]] const render::Scene& scene() const { return scene_; }
-
   /// "1,234 voxels", "500 triangles".
   [[nodiscard]] std::string size() const;
   [[nodiscard]] uint64_t voxels() const;

@@ -72,6 +72,25 @@ TEST_F(GlTest, CoarserLevelsLookTheSame) {
   }
 }
 
+TEST_F(GlTest, TiltedDiscsLookTheSameFromNearAndFar) {
+  const Scene scene{.voxels = {voxel_sphere(7, 0.4).smooth_cloud()}};
+  for (const double distance : {0.2, 0.401, 0.42, 0.6, 1.0, 2.0, 4.0}) {
+    const Camera camera = looking_at_origin(kAside, distance);
+    expect_same("tilted-at-" + std::to_string(distance), scene, camera, kSmall);
+    expect_same("tilted-parallel-" + std::to_string(distance), scene,
+                parallel(looking_at_origin(kAside, 3), distance), kSmall);
+  }
+}
+
+TEST_F(GlTest, TiltedDiscsOfStretchedAndMirroredCloudsLookTheSame) {
+  Scene scene{.voxels = {voxel_sphere(6, 0.4).smooth_cloud()}};
+  glm::dmat4& matrix = scene.voxels[0].local_to_world;
+  matrix = glm::scale(matrix, glm::dvec3(-1, 0.4, 1.7));
+  expect_same("tilted-stretched", scene, looking_at_origin(kAside, 2), kSmall);
+  matrix[0] = glm::dvec4(0);  // flat: no normals
+  expect_same("tilted-flat", scene, looking_at_origin(kAside, 2), kSmall);
+}
+
 // A long plane into the distance: each part by its own level.
 TEST_F(GlTest, LevelsChangeWithTheDistance) {
   TestModelMaker maker(9);

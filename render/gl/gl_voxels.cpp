@@ -14,7 +14,8 @@ namespace afx::render {
 namespace {
 
 constexpr GLuint kSides = 6;
-constexpr uint64_t kCellBytes = 8;  // of a vertex: three coordinates of 21 bits
+constexpr uint64_t kCellBytes = 8;         // of a vertex: three coordinates of 21 bits
+constexpr GLuint kNormal = 7, kShift = 8;  // where a vertex has its facet, after cell and colours
 
 const void* offset_of(uint64_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -53,9 +54,10 @@ Anchor anchor_of(const glm::dmat3& cube, const glm::dvec3& root, int level) {
 }  // namespace
 
 uint64_t GlTree::bytes(const VoxelTree& tree) {
-  uint64_t bytes = tree.voxels() * (kCellBytes + sizeof(Rgba8));
+  constexpr uint64_t kPlace = kCellBytes + sizeof(VoxelTree::Facet);
+  uint64_t bytes = tree.voxels() * (kPlace + sizeof(Rgba8));
   for (unsigned level = 0; level < tree.level(); ++level)
-    bytes += tree.nodes(level) * (kCellBytes + sizeof(VoxelTree::Sides));
+    bytes += tree.nodes(level) * (kPlace + sizeof(VoxelTree::Sides));
   return bytes;
 }
 
@@ -69,6 +71,7 @@ GlTree::Level& GlTree::uploaded(unsigned number) {
   } else {
     upload(level.colours, tree_->sides(number).data(), tree_->sides(number).size_bytes());
   }
+  upload(level.facets, tree_->facets(number).data(), tree_->facets(number).size_bytes());
   level.points = GlArray::make();
   level.quads = GlArray::make();
   glBindVertexArray(level.points.id());
@@ -84,6 +87,14 @@ void GlTree::point_at(const Level& level, bool sides, int32_t first, GLuint divi
   glEnableVertexAttribArray(0);
   glVertexAttribDivisor(0, divisor);
   glVertexAttribIPointer(0, 2, GL_UNSIGNED_INT, kCellBytes, offset_of(from * kCellBytes));
+  glBindBuffer(GL_ARRAY_BUFFER, level.facets.id());
+  for (const GLuint place : {kNormal, kShift}) {
+    constexpr GLsizei kStride = sizeof(VoxelTree::Facet);
+    glEnableVertexAttribArray(place);
+    glVertexAttribDivisor(place, divisor);
+    glVertexAttribPointer(place, 3, GL_BYTE, GL_FALSE, kStride,
+                          offset_of(from * kStride + (place == kShift ? 3 : 0)));
+  }
   glBindBuffer(GL_ARRAY_BUFFER, level.colours.id());
   const GLuint colours = sides ? kSides : 1;
   const uint64_t stride = colours * sizeof(Rgba8);
@@ -128,7 +139,10 @@ void GlVoxelCloud::set_uniforms(const GlProgram& program, unsigned level) const 
   program.set("scale", options_.splats == SplatKind::points
                            ? 0.0F
                            : static_cast<float>(options_.splat_scale));
-  program.set("ball", static_cast<float>(options_.splat_scale * size.reach));
+  program.set("ball", static_cast<float>(octree_.disc_reach(level)));
+  program.set("facet_radius", static_cast<float>(size.radius));
+  program.set("to_shift", glm::mat3(size.shift));
+  program.set("normals", glm::mat3(octree_.normals()));
   program.set("last_from", glm::vec2(bounded(ranges_->last_from(level)),
                                      level == 0 ? 3e38F : bounded(ranges_->last_from(level - 1))));
   glm::dmat3 to_cube = glm::inverse(axes) * size.side;  // its lengths do not matter

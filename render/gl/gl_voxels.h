@@ -15,7 +15,7 @@
 
 namespace afx::render {
 
-/// The nodes of an octree, each level uploaded when it is first drawn: 12 bytes a voxel, 32 a node
+/// The nodes of an octree, each level uploaded when it is first drawn: 18 bytes a voxel, 38 a node
 /// of the levels above.
 class GlTree {
  public:
@@ -32,7 +32,7 @@ class GlTree {
 
  private:
   struct Level {
-    GlBuffer cells, colours;
+    GlBuffer cells, facets, colours;
     GlArray points, quads;
   };
   Level& uploaded(unsigned level);

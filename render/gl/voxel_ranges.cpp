@@ -48,7 +48,7 @@ VoxelRanges::VoxelRanges(const OctreeView& octree, const GlView& view)
   const Node root{0, 0, octree.root()};
   if (octree.last_level() > 0) {
     visit(root);
-  } else if (view.touches(root.centre, octree.size(0).reach * scale_)) {
+  } else if (view.touches(root.centre, octree.disc_reach(0))) {
     add(root, 0, 0);
   }
 }
@@ -57,11 +57,12 @@ double VoxelRanges::largest(unsigned level, const glm::dvec3& centre, double bal
   const OctreeView::Size& size = octree_.size(level);
   if (view_.options.splats == SplatKind::points) return 0;
   const Lens& lens = view_.lens;
-  if (!lens.perspective) return size.flat_radius * scale_;
+  if (!lens.perspective) return std::max(size.flat_radius * scale_, size.radius * lens.focal);
   const double nearest = -centre.z - ball;
-  if (!(nearest > 2 * size.reach)) return kNever;
+  const double reach = octree_.disc_reach(level);
+  if (!(nearest > 2 * reach)) return kNever;
   const double slopes = (std::abs(centre.x) + std::abs(centre.y) + 2 * ball) / nearest;
-  return 1.01 * scale_ * lens.focal * size.reach * (1 + slopes) / (nearest - size.reach);
+  return 1.01 * lens.focal * reach * (1 + slopes) / (nearest - reach);
 }
 
 uint32_t VoxelRanges::below(unsigned level, uint32_t number) const {
@@ -96,7 +97,8 @@ bool VoxelRanges::is_small(Node node, unsigned finest) const {
 
 void VoxelRanges::visit(Node node) {
   const OctreeView::Size& size = octree_.size(node.level);
-  if (!view_.touches(node.centre, size.reach * (1 + (scale_ - 1) / 2) * 1.001)) return;
+  if (!view_.touches(node.centre, (size.reach + octree_.disc_reach(node.level + 1)) * 1.001))
+    return;
   // The parents of all that is below it have their centres in its ball.
   const double ball = size.reach + kRounding * (std::abs(node.centre.z) + size.reach);
   unsigned coarsest = node.level + 1;

@@ -141,7 +141,7 @@ void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Face
   out.depth[i] = static_cast<float>(-point.z);
   out.nx[i] = out.ny[i] = out.nz[i] = 0;
   out.reach[i] = out.radius[i] = -1;
-  if (!lens_.in_view(point, std::max(scale_ * size.reach, size.radius))) return;
+  if (!lens_.in_view(point, disc_reach(level))) return;
   const glm::dvec3 normal =
       normals_ * glm::dvec3(facet.normal[0], facet.normal[1], facet.normal[2]);
   const double length = glm::length(normal);
@@ -328,10 +328,11 @@ glm::vec3 OctreeView::light(unsigned level, uint32_t number, const SideWeights& 
 /// slopes x, y.
 OctreeView::Bound OctreeView::bound(const glm::dvec3& centre, unsigned level) const {
   const Size& size = sizes_[level];
-  const Size& next = sizes_[is_last(level + 1, centre) ? level + 1 : level + 2];
+  const unsigned finer = is_last(level + 1, centre) ? level + 1 : level + 2;
+  const Size& next = sizes_[finer];
   constexpr float kNoBound = std::numeric_limits<float>::infinity();
   const double distance = -centre.z;
-  const double reach = (size.reach + std::max(next.radius, next.reach * scale_)) * 1.001;
+  const double reach = (size.reach + disc_reach(finer)) * 1.001;
   const auto depth = static_cast<float>(
       (distance - size.half_depth - next.radius - static_cast<double>(next.tolerance)) *
       (1 - 1e-6));

@@ -4,6 +4,7 @@
 // From the nodes of an octree to discs on the grid of samples, from parent to child.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -64,6 +65,13 @@ class OctreeView {
   /// The centre of the root in the camera's system.
   [[nodiscard]] const glm::dvec3& root() const { return root_; }
   [[nodiscard]] const Lens& lens() const { return lens_; }
+  /// Takes normals of facets to the camera's system, up to their length; zero where the cube is
+  /// flat.
+  [[nodiscard]] const glm::dmat3& normals() const { return normals_; }
+  /// No disc of that level is larger, in scene units.
+  [[nodiscard]] double disc_reach(unsigned level) const {
+    return std::max(sizes_[level].radius, sizes_[level].reach * scale_);
+  }
 
   /// Whether nodes of a level, with their parent's centre there, are to be drawn as they are.
   [[nodiscard]] bool is_last(unsigned level, const glm::dvec3& parent) const;
