@@ -36,7 +36,7 @@ struct RenderOptions {
   SplatKind splats = SplatKind::smooth;
   /// Multiplies all splats: of a disc that faces the viewer the diameter is so many times the
   /// longest projected space diagonal of its voxel (the paper has 1.3); of one on the surface the
-  /// radius is 0.9 voxel sides times this; the sides of a surfel are longer by this and a tenth. At
+  /// radius is 0.8 voxel sides times this; the sides of a surfel are longer by this and a tenth. At
   /// 1 or more closed surfaces have no holes. 1..8
   double splat_scale = 1.05;
   /// Octrees are not drawn finer than this level.

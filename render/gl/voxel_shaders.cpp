@@ -74,7 +74,7 @@ float face_viewer(vec3 centre, float distance) {
   return radius;
 }
 
-// A disc at right angles to n, as OctreeView::complete has it; returns how far it is seen around its
+// A disc at right angles to n, as OctreeView::tilt has it; returns how far it is seen around its
 // place, and in `deep` how much nearer than its centre it may be.
 float stand_on(vec3 n, vec3 centre, float distance, out float deep) {
   float w = 1.0 / zoom_at(distance);  // scene units of a sample

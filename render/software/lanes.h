@@ -13,6 +13,16 @@
 
 namespace afx::render {
 
+/// Whether this processor has AVX2.
+inline bool has_avx2() {
+#if defined(__x86_64__)
+  static const bool has = __builtin_cpu_supports("avx2") != 0;
+  return has;
+#else
+  return false;
+#endif
+}
+
 using Lanes = float __attribute__((vector_size(32)));
 using LaneMask = int32_t __attribute__((vector_size(32)));  // -1 or 0
 inline constexpr int kLanes = 8;

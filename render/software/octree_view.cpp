@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "afx/srgb.h"
+#include "render/software/lanes.h"
 
 namespace afx::render {
 namespace {
@@ -128,6 +129,8 @@ void OctreeView::project_tilted(const glm::dvec3& centre, const glm::dvec3& norm
   out.nx[i] = static_cast<float>(normal.x);
   out.ny[i] = static_cast<float>(normal.y);
   out.nz[i] = static_cast<float>(normal.z);
+  const double steep = std::max(0.0, 1 - normal.z * normal.z);
+  out.nearest[i] = static_cast<float>(distance - radius * std::sqrt(steep));
 }
 
 void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Facet& facet,
@@ -139,6 +142,7 @@ void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Face
   out.x[i] = static_cast<float>(at.x);
   out.y[i] = static_cast<float>(at.y);
   out.depth[i] = static_cast<float>(-point.z);
+  out.nearest[i] = out.depth[i];
   out.nx[i] = out.ny[i] = out.nz[i] = 0;
   out.reach[i] = out.radius[i] = -1;
   if (!lens_.in_view(point, disc_reach(level))) return;
@@ -163,6 +167,7 @@ bool OctreeView::is_far(const glm::dvec3& parent, unsigned level) const {
 
 void OctreeView::gather(VoxelTree::Branch branch, unsigned level, EightFacets& facets) const {
   facets = {};
+  facets.all_tilted = !points_;
   const std::span<const VoxelTree::Facet> all = tree_->facets(level);
   uint32_t number = branch.first_child;
   for (unsigned i = 0; i < 8; ++i) {
@@ -175,59 +180,88 @@ void OctreeView::gather(VoxelTree::Branch branch, unsigned level, EightFacets& f
     facets.nx[i] = facet.normal[0];
     facets.ny[i] = facet.normal[1];
     facets.nz[i] = facet.normal[2];
+    facets.all_tilted =
+        facets.all_tilted && (facet.normal[0] | facet.normal[1] | facet.normal[2]) != 0;
   }
 }
 
 /// project_exactly for eight at once, in floats.
-void OctreeView::project_far(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
-                             EightDiscs& out) const {
+template <bool kPerspective>
+AFX_PART_OF_CALLER void OctreeView::project_far(const glm::dvec3& centre, const EightFacets& facets,
+                                                unsigned level, EightDiscs& out) const {
   const Size& size = sizes_[level];
   const glm::mat3 shift(size.shift), turn(normals_);
   const glm::vec3 c(centre);
   const auto focal = static_cast<float>(lens_.focal);
   const glm::vec2 middle(lens_.middle);
-  const float perspective = lens_.perspective ? 1.0F : 0.0F;
-  const auto scale = static_cast<float>(points_ ? 0 : scale_);
-  const auto half_depth = static_cast<float>(size.half_depth);
-  const auto facet_radius = static_cast<float>(size.radius);
-  const auto flat_radius = static_cast<float>(size.flat_radius);
+  float slope_x[8], slope_y[8], inverse[8];
   for (int i = 0; i < 8; ++i) {
     const float sx = facets.sx[i], sy = facets.sy[i], sz = facets.sz[i];
     const float px = c.x + size.x[i] + (shift[0].x * sx + shift[1].x * sy + shift[2].x * sz);
     const float py = c.y + size.y[i] + (shift[0].y * sx + shift[1].y * sy + shift[2].y * sz);
     const float pz = c.z + size.z[i] + (shift[0].z * sx + shift[1].z * sy + shift[2].z * sz);
-    const float depth = -pz;
-    const float inverse = perspective != 0 ? 1 / depth : 1.0F;
-    const float x = px * inverse, y = py * inverse, zoom = focal * inverse;
-    out.depth[i] = depth;
-    out.x[i] = middle.x + x * focal;
-    out.y[i] = middle.y - y * focal;
-
+    out.depth[i] = -pz;
+    inverse[i] = kPerspective ? 1 / -pz : 1.0F;
+    slope_x[i] = px * inverse[i];
+    slope_y[i] = py * inverse[i];
+    out.x[i] = middle.x + slope_x[i] * focal;
+    out.y[i] = middle.y - slope_y[i] * focal;
+  }
+  const auto facet_radius = static_cast<float>(size.radius);
+  for (int i = 0; i < 8; ++i) {
     const float lx = facets.nx[i], ly = facets.ny[i], lz = facets.nz[i];
     const float nx = turn[0].x * lx + turn[1].x * ly + turn[2].x * lz;
     const float ny = turn[0].y * lx + turn[1].y * ly + turn[2].y * lz;
     const float nz = turn[0].z * lx + turn[1].z * ly + turn[2].z * lz;
     const float square = nx * nx + ny * ny + nz * nz;
-    const bool tilted = square > 0;
-    const float unit = tilted ? 1 / std::sqrt(square) : 0.0F;
+    const float unit = 1 / std::sqrt(square > 0 ? square : 1.0F);
     out.nx[i] = nx * unit;
     out.ny[i] = ny * unit;
     out.nz[i] = nz * unit;
-
+    const float zoom = focal * inverse[i];
+    const float radius = std::max(facet_radius, kLeastRadius / zoom);
+    const float steep = std::max(0.0F, 1 - out.nz[i] * out.nz[i]);
+    out.radius[i] = radius;
+    out.nearest[i] = out.depth[i] - radius * std::sqrt(steep);
+    out.reach[i] = radius * zoom;
+    if (kPerspective)
+      out.reach[i] *=
+          (1 + (slope_x[i] * slope_x[i] + slope_y[i] * slope_y[i]) / 2) / (1 - radius * inverse[i]);
+  }
+  if (facets.all_tilted) return;
+  const auto scale = static_cast<float>(points_ ? 0 : scale_);
+  const auto half_depth = static_cast<float>(size.half_depth);
+  const auto flat_radius = static_cast<float>(size.flat_radius);
+  for (int i = 0; i < 8; ++i) {
     float longest = 0;
     for (int k = 0; k < 4; ++k) {
-      const float dx = size.dx[k] + x * size.dz[k], dy = size.dy[k] + y * size.dz[k];
+      const float dx = size.dx[k] + slope_x[i] * size.dz[k];
+      const float dy = size.dy[k] + slope_y[i] * size.dz[k];
       longest = std::max(longest, dx * dx + dy * dy);
     }
     const float facing =
-        perspective != 0 ? focal * std::sqrt(longest) / (depth - half_depth) : flat_radius;
+        kPerspective ? focal * std::sqrt(longest) / (out.depth[i] - half_depth) : flat_radius;
     const float disc = std::max(facing * scale, kLeastRadius);
-    const float radius = std::max(facet_radius, kLeastRadius / zoom);
-    const float reach = radius * zoom * (1 + perspective * (x * x + y * y) / 2) /
-                        (1 - perspective * radius * inverse);
-    out.radius[i] = tilted ? radius : disc;
-    out.reach[i] = tilted ? reach : disc;
+    const bool tilted = out.nx[i] != 0 || out.ny[i] != 0 || out.nz[i] != 0;
+    out.radius[i] = tilted ? out.radius[i] : disc;
+    out.reach[i] = tilted ? out.reach[i] : disc;
+    out.nearest[i] = tilted ? out.nearest[i] : out.depth[i];
   }
+}
+
+void OctreeView::project_far_plain(const glm::dvec3& centre, const EightFacets& facets,
+                                   unsigned level, EightDiscs& out) const {
+  if (lens_.perspective) return project_far<true>(centre, facets, level, out);
+  project_far<false>(centre, facets, level, out);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2")))
+#endif
+void OctreeView::project_far_avx2(const glm::dvec3& centre, const EightFacets& facets,
+                                  unsigned level, EightDiscs& out) const {
+  if (lens_.perspective) return project_far<true>(centre, facets, level, out);
+  project_far<false>(centre, facets, level, out);
 }
 
 void OctreeView::project(const glm::dvec3& centre, VoxelTree::Branch branch, unsigned level,
@@ -235,7 +269,8 @@ void OctreeView::project(const glm::dvec3& centre, VoxelTree::Branch branch, uns
   if (is_far(centre, level)) {
     EightFacets facets;
     gather(branch, level, facets);
-    return project_far(centre, facets, level, out);
+    return has_avx2() ? project_far_avx2(centre, facets, level, out)
+                      : project_far_plain(centre, facets, level, out);
   }
   uint32_t number = branch.first_child;
   for (unsigned i = 0; i < 8; ++i) {
@@ -255,31 +290,17 @@ void OctreeView::project_root(EightDiscs& out) const {
 /// p - c = k (e r0 + w (x, -y, 0)), whose square is `out` times that of the radius. In parallel
 /// projection r0 = (0, 0, -1). A disc seen so much from the side that it would be narrower than
 /// kLeastRadius is turned a little.
-void OctreeView::complete(const EightDiscs& discs, unsigned i, unsigned level, Splat& splat,
-                          Tilt* tilt) const {
-  const Size& size = sizes_[level];
+Tilt OctreeView::tilt(const EightDiscs& discs, unsigned i, unsigned level, Splat& outline) const {
   const float depth = discs.depth[i], radius = discs.radius[i];
+  const float inverse = 1 / (radius * radius);
   const glm::vec3 n(discs.nx[i], discs.ny[i], discs.nz[i]);
-  const bool tilted = n.x != 0 || n.y != 0 || n.z != 0;
-  const float deep = tilted ? radius * std::sqrt(n.x * n.x + n.y * n.y) : 0;
-  splat.x = discs.x[i];
-  splat.y = discs.y[i];
-  splat.reach_x = splat.reach_y = discs.reach[i];
-  splat.depth = depth;
-  splat.nearest = depth - deep;
-  splat.tolerance = size.tolerance;
-  if (tilt == nullptr) return;
-  if (!tilted) {
-    const float inverse = 1 / (radius * radius);
-    *tilt = {0, 0, 0, inverse, 0, inverse, size.bulge};
-    return;
-  }
+  if (n.x == 0 && n.y == 0 && n.z == 0) return {0, 0, 0, inverse, 0, inverse, sizes_[level].bulge};
   const auto focal = static_cast<float>(lens_.focal);
   const float w = (lens_.perspective ? depth : 1) / focal;
   glm::vec3 ray(0, 0, -1);
   if (lens_.perspective) {
-    ray.x = (splat.x - static_cast<float>(lens_.middle.x)) / focal;
-    ray.y = (static_cast<float>(lens_.middle.y) - splat.y) / focal;
+    ray.x = (outline.x - static_cast<float>(lens_.middle.x)) / focal;
+    ray.y = (static_cast<float>(lens_.middle.y) - outline.y) / focal;
   }
   const float least = kLeastRadius * w / radius * glm::length(ray);
   const float straight = glm::dot(n, ray);
@@ -287,16 +308,16 @@ void OctreeView::complete(const EightDiscs& discs, unsigned i, unsigned level, S
   const float e_x = -w * n.x / facing, e_y = w * n.y / facing;
   const glm::vec3 along_x = e_x * ray + glm::vec3(w, 0, 0);
   const glm::vec3 along_y = e_y * ray - glm::vec3(0, w, 0);
-  const float inverse = 1 / (radius * radius);
   const float a = glm::dot(along_x, along_x) * inverse, b = glm::dot(along_x, along_y) * inverse,
               c = glm::dot(along_y, along_y) * inverse;
   const float nearness = lens_.perspective ? 1 / depth : 0;
-  *tilt = {e_x, e_y, nearness, a, b, c, 0};
+  const Tilt tilt{e_x, e_y, nearness, a, b, c, 0};
   const float area = a * c - b * b;
-  const float stretch = 1 / std::max(kLeastStretch, 1 - nearness * deep);
-  if (!(area > 0) || stretch > 1 / (2 * kLeastStretch)) return;
-  splat.reach_x = std::min(splat.reach_x, std::sqrt(c / area) * stretch);
-  splat.reach_y = std::min(splat.reach_y, std::sqrt(a / area) * stretch);
+  const float stretch = 1 / std::max(kLeastStretch, 1 - nearness * (depth - outline.nearest));
+  if (!(area > 0) || stretch > 1 / (2 * kLeastStretch)) return tilt;
+  outline.reach_x = std::min(outline.reach_x, std::sqrt(c / area) * stretch);
+  outline.reach_y = std::min(outline.reach_y, std::sqrt(a / area) * stretch);
+  return tilt;
 }
 
 OctreeView::SideWeights OctreeView::side_weights(const glm::dvec3& centre) const {

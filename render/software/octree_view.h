@@ -22,6 +22,7 @@ namespace afx::render {
 struct EightDiscs {
   float x[8], y[8];           ///< in samples
   float depth[8];             ///< of the centre
+  float nearest[8];           ///< no part of it is nearer
   float reach[8];             ///< how far it is seen around (x, y); negative: nothing is to be seen
   float radius[8];            ///< in scene units; facing discs: in samples
   float nx[8], ny[8], nz[8];  ///< the normal in the camera's system; (0, 0, 0): it faces the viewer
@@ -38,7 +39,7 @@ struct EightDiscs {
 /// multiplied by RenderOptions::splat_scale, and no disc is narrower than kLeastRadius.
 class OctreeView {
  public:
-  static constexpr double kFacetRadius = 0.9;
+  static constexpr double kFacetRadius = 0.8;
 
   /// What the nodes of a level have in common.
   struct Size {
@@ -85,10 +86,14 @@ class OctreeView {
   /// The root by itself, as element 0.
   void project_root(EightDiscs& out) const;
 
-  /// A disc that is to be seen: all but its light. tilt   may be null: it is not wanted, and the
-  /// reach is not as close as it could be
-  void complete(const EightDiscs& discs, unsigned i, unsigned level, Splat& splat,
-                Tilt* tilt) const;
+  /// A disc as it is, its light still black, its rectangle not as close as it could be.
+  [[nodiscard]] Splat outline(const EightDiscs& discs, unsigned i, unsigned level) const {
+    return {discs.x[i],     discs.y[i],       discs.reach[i],          discs.reach[i],
+            discs.depth[i], discs.nearest[i], sizes_[level].tolerance, glm::vec3(0)};
+  }
+  /// How it lies in space; makes the rectangle of its outline closer.
+  [[nodiscard]] Tilt tilt(const EightDiscs& discs, unsigned i, unsigned level,
+                          Splat& outline) const;
 
   /// How much each side of the nodes around a place counts as it is seen from the eye, in the order
   /// of VoxelTree::Sides: the squares of the cosines, 0 for those turned away.
@@ -111,11 +116,17 @@ class OctreeView {
   /// The facets of the children that are there, in lanes; zero for the others.
   struct EightFacets {
     float sx[8], sy[8], sz[8], nx[8], ny[8], nz[8];
+    bool all_tilted;  // those that are there
   };
   [[nodiscard]] bool is_far(const glm::dvec3& parent, unsigned level) const;
   void gather(VoxelTree::Branch branch, unsigned level, EightFacets& facets) const;
+  template <bool kPerspective>
   void project_far(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
                    EightDiscs& out) const;
+  void project_far_plain(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
+                         EightDiscs& out) const;
+  void project_far_avx2(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
+                        EightDiscs& out) const;
   void project_exactly(const glm::dvec3& centre, const VoxelTree::Facet& facet, unsigned level,
                        unsigned i, EightDiscs& out) const;
   void project_tilted(const glm::dvec3& centre, const glm::dvec3& normal, unsigned level,

@@ -95,11 +95,9 @@ class OctreeWalk {
   void emit_disc(const OctreeView& view, unsigned level, unsigned i, uint32_t number,
                  const Emit& emit) const {
     if (discs_.reach[i] < 0 || !touches(discs_.x[i], discs_.y[i], discs_.reach[i])) return;
-    Splat splat;
-    Tilt tilt;
-    view.complete(discs_, i, level, splat, nullptr);
+    Splat splat = view.outline(discs_, i, level);
     if (painter_.is_hidden(splat, *tile_)) return;
-    view.complete(discs_, i, level, splat, &tilt);
+    const Tilt tilt = view.tilt(discs_, i, level, splat);
     splat.light = view.light(level, number, weights_);
     emit(splat, tilt);
   }

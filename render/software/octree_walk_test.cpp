@@ -47,7 +47,8 @@ class PlainWalk {
         visit(level + 1, child, centre + size.offsets[i]);
       } else if (discs.reach[i] > 0) {
         splats.emplace_back();
-        view_.complete(discs, i, level + 1, splats.back().splat, &splats.back().tilt);
+        splats.back().splat = view_.outline(discs, i, level + 1);
+        splats.back().tilt = view_.tilt(discs, i, level + 1, splats.back().splat);
         splats.back().splat.light = view_.light(level + 1, child, weights);
       }
     }

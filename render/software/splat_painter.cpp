@@ -186,8 +186,7 @@ const SplatPainter& SplatPainter::plain() { return kPlain; }
 
 const SplatPainter& SplatPainter::best() {
 #if defined(__x86_64__)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  if (has_avx2) return kAvx2;
+  if (has_avx2()) return kAvx2;
 #endif
   return kPlain;
 }
