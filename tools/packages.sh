@@ -5,7 +5,7 @@ build_packages=(g++ cmake ninja-build libglm-dev libopenimageio-dev openimageio-
   libcli11-dev libnanoflann-dev nlohmann-json3-dev libpugixml-dev pkg-config libepoxy-dev libglfw3-dev
   libimgui-dev libavcodec-dev libavformat-dev libswscale-dev)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev zlib1g-dev ffmpeg
-  clang-14 libclang-rt-14-dev libegl1 libopengl0 libgl1-mesa-dri xvfb xdotool)
+  clang-14 libclang-rt-14-dev libegl1 libopengl0 libgl1-mesa-dri xvfb xdotool libembree-dev)
 demo_packages=(assimp-testmodels)
 table_packages=(assimp-testmodels assimp-utils draco jq time zip)
 
