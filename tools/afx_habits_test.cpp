@@ -123,12 +123,11 @@ TEST_F(Program, NamesWithOtherPercentSignsAndCapitalsWork) {
 TEST_F(Program, SharedModelsAreColouredOnceAndWhatIsNotDrawnIsCounted) {
   std::string scene = "Group { children [ DEF A OctreeImage { octreeResolution 2 octree 255 }";
   for (int i = 0; i < 99; ++i) scene += " USE A";
-  write_file(file("s.wrl"), scene + " Shape { } Shape { } Inline { } ] }");
+  write_file(file("s.wrl"), scene + " Shape { geometry Text { } } Shape { geometry Text { } } ] }");
   const Outcome render = run("render s.wrl -o s.png --size 16x16 --levels 1 --json");
   ASSERT_EQ(render.code, 0) << render.err;
   EXPECT_EQ(nlohmann::json::parse(render.out).at("voxels"), 800);
-  EXPECT_THAT(render.err, HasSubstr("2 Shapes are left out"));
-  EXPECT_THAT(render.err, HasSubstr("1 Inline is left out"));
+  EXPECT_THAT(render.err, HasSubstr("shapes that are not shown: 2 (2 of Text)"));
 }
 
 TEST_F(Program, ControlCharactersOfInputsAreEscaped) {

@@ -11,21 +11,9 @@
 #include "tools/input.h"
 #include "tools/render_command.h"
 #include "tools/render_output.h"
-#include "tools/scene_input.h"
-#include "tools/scene_viewpoints.h"
 
 namespace afx::tools {
 namespace {
-
-Status read_scene_into(const Input& input, const Session& session, Diagnostics& diagnostics,
-                       Drawing& drawn, Sight& sight) {
-  const auto scene = read_scene(input, session.limits, diagnostics);
-  if (!scene.ok()) return scene.error();
-  auto viewpoints = find_viewpoints(scene.value().scene);
-  if (!viewpoints.ok()) return std::move(viewpoints).error();
-  sight.viewpoints = std::move(viewpoints).value();
-  return drawn.add(scene.value());
-}
 
 Status read_model_into(const Input& input, OctreeQuery& query, const Session& session,
                        Diagnostics& diagnostics, Drawing& drawn) {
@@ -37,16 +25,16 @@ Status read_model_into(const Input& input, OctreeQuery& query, const Session& se
 /// Reads the input into `drawn` and `sight`; returns an exit code.
 int read_input(const RenderCommand& command, const Session& session, Diagnostics& diagnostics,
                Drawing& drawn, Sight& sight) {
-  const auto input =
-      open_model_input(command.input, command.input_format, session.limits, diagnostics);
+  auto input = open_model_input(command.input, command.input_format, session.limits, diagnostics);
   if (!input.ok()) return session.fail(input.error(), command.input, diagnostics);
   OctreeQuery query{.node = {}, .resolution = command.resolution, .frame = command.frame};
   const std::string useless = useless_option(query, {&input.value().kind, 1});
   if (!useless.empty()) return session.usage(useless);
   const Status read = is_scene(input.value().kind)
-                          ? read_scene_into(input.value(), session, diagnostics, drawn, sight)
+                          ? drawn.add_scene(std::move(input).value())
                           : read_model_into(input.value(), query, session, diagnostics, drawn);
   sight.outline = drawn.outline();
+  sight.viewpoints = drawn.viewpoints();
   if (read.ok()) return session.warn(diagnostics, command.input);
   session.show(diagnostics, command.input);
   return session.fail_query(read.error(), query.missing_is_usage, command.input);
@@ -57,7 +45,6 @@ std::string useless_for_mesh(const RenderCommand& command) {
   if (command.level) return "--levels is for octrees, not for meshes";
   if (!command.splats.empty()) return "--splats is for voxels and points, not for meshes";
   if (command.coarseness) return "--coarseness is for octrees, not for meshes";
-  if (command.backend != "software") return "meshes are drawn by --backend software alone";
   return {};
 }
 
@@ -80,14 +67,25 @@ int get_tools(const RenderCommand& command, const Session& session, const Render
   return kDone;
 }
 
+/// Reads a scene that depends on the viewer for the one that has this camera. Returns an exit code.
+int show_to(const render::Camera& camera, const RenderCommand& command, const Session& session,
+            Drawing& drawn) {
+  Diagnostics diagnostics;
+  const Status shown = drawn.set_viewer(viewer_of(camera), diagnostics);
+  if (!shown.ok()) return session.fail(shown.error(), command.input, diagnostics);
+  return session.warn(diagnostics, command.input);
+}
+
 int draw(const RenderCommand& command, const Session& session, const RenderPlan& plan,
-         const Drawing& drawn, const Sight& sight, Tools& tools, OutputFiles& outputs) {
+         Drawing& drawn, const Sight& sight, Tools& tools, OutputFiles& outputs) {
   const bool turns = plan.frames > 0;
   render::Camera camera;
   const int code =
       choose_camera(command.camera, sight, plan.aspect(), turns, session, command.input, camera);
   if (code != kDone) return code;
-  auto drawer = FrameDrawer::make(drawn, std::move(tools.renderer));
+  // The camera is made of the scene as it is without a viewer.
+  if (const int seen = show_to(camera, command, session, drawn); seen != kDone) return seen;
+  auto drawer = FrameDrawer::make(drawn, std::move(tools.renderer), command.backend == "software");
   if (!drawer.ok()) return session.fail(drawer.error(), command.input);
   VideoWriter* const video = tools.video ? &*tools.video : nullptr;
   RenderJob job{command, session, plan, drawn, sight, camera, drawer.value(), outputs, video};

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "afx/octree_colours.h"
-#include "afx/surfel_sources.h"
+#include "afx/builder/mesh_shapes.h"
 
 namespace afx::tools {
 namespace {
@@ -44,85 +42,78 @@ std::vector<glm::dvec3> corners_of(const Mesh& mesh) {
 
 }  // namespace
 
-Result<std::shared_ptr<const render::VoxelTree>> Drawing::colour(const OctreeModel& model) {
-  const unsigned level = std::min(level_, octree_levels(model.resolution));
-  const auto coloured = colour_octree(model, level, session_.options.threads, left_, diagnostics_);
-  if (!coloured.ok()) return coloured.error();
-  const ColouredVoxels& voxels = coloured.value();
-  const VoxelSurface surface = voxel_surface(voxels.codes, voxels.level, VoxelBlocks(voxels.codes),
-                                             session_.options.threads);
-  auto tree = render::VoxelTree::make(voxels.level, voxels.codes, voxels.colours, &surface);
-  if (tree.ok()) left_.memory -= std::min(left_.memory, tree.value()->bytes());
-  return tree;
+render::SceneMaker& Drawing::maker() {
+  if (!maker_)
+    maker_.emplace(render::SceneMakerOptions{.level = level_, .threads = session_.options.threads},
+                   session_.limits);
+  return *maker_;
 }
 
-std::shared_ptr<const Surfels> Drawing::keep(Surfels&& surfels) {
-  left_.memory -= std::min(left_.memory, surfels.size() * kSurfelBytes);
-  return std::make_shared<Surfels>(std::move(surfels));
+Status Drawing::add_scene(Input input) {
+  auto shown = ShownScene::open(std::move(input), session_.limits, diagnostics_);
+  if (!shown.ok()) return std::move(shown).error();
+  shown_ = std::move(shown).value();
+  if (Status read = read_scene_for(std::nullopt, diagnostics_); !read.ok()) return read;
+  if (depends_on_viewer_ || !scene_.voxels.empty() || !scene_.surfels.empty() ||
+      !scene_.shapes.empty())
+    return {};
+  return Error{
+      Errc::malformed, Place::none(),
+      "the scene shows nothing to draw (expected a DepthImage, an OctreeImage or a Shape)"};
 }
 
-Status Drawing::add(const LoadedScene& scene) {
-  const auto models = read_dibr_models(scene.scene, scene.base(), left_, diagnostics_);
-  if (!models.ok()) return models.error();
-  if (Status added = add(models.value()); !added.ok()) return added;
-  warn_of_left_out(scene.scene, diagnostics_);
-  if (!scene_.voxels.empty() || !scene_.surfels.empty()) return {};
-  return Error{Errc::malformed, Place::none(),
-               "the scene shows nothing to draw (expected a DepthImage or an OctreeImage)"};
+Status Drawing::set_viewer(const nodes::Viewer& viewer, Diagnostics& diagnostics) {
+  return depends_on_viewer_ ? read_scene_for(viewer, diagnostics) : Status();
 }
 
-Status Drawing::add(const OctreeModel& model, const glm::dmat4& to_world) {
-  const auto tree = colour(model);
-  if (!tree.ok()) return tree.error();
-  scene_.voxels.push_back({tree.value(), to_world});
+Status Drawing::read_scene_for(const std::optional<nodes::Viewer>& viewer,
+                               Diagnostics& diagnostics) {
+  auto read = shown_->read(viewer, diagnostics);
+  if (!read.ok()) return std::move(read).error();
+  VisualScene& visual = read.value();
+  auto scene = maker().make(visual, diagnostics);
+  if (!scene.ok()) return std::move(scene).error();
+  scene_ = std::move(scene).value();
+  cameras_ = render::model_cameras(visual.models);
+  viewpoints_ = std::move(visual.viewpoints);
+  depends_on_viewer_ = visual.depends_on_viewer;
+  viewer_ = viewer;
   return {};
 }
 
 Status Drawing::add(ModelInput&& model, Shade shade) {
   if (auto* mesh = std::get_if<Mesh>(&model)) {
-    mesh_ = std::make_unique<Mesh>(std::move(*mesh));
+    mesh_ = std::make_shared<Mesh>(std::move(*mesh));
     look_ = std::make_unique<MeshLook>(*mesh_, shade);
     corners_ = corners_of(*mesh_);
+    shade_ = shade;
     return {};
   }
   if (const auto* models = std::get_if<std::vector<DibrModel>>(&model)) return add(*models);
   auto surfels = surfels_of_input(std::move(model), session_, diagnostics_);
   if (!surfels.ok()) return std::move(surfels).error();
-  scene_.surfels.push_back({keep(std::move(surfels).value()), glm::dmat4(1)});
+  scene_.surfels.push_back({std::make_shared<Surfels>(std::move(surfels).value()), glm::dmat4(1)});
   return {};
 }
 
-/// A shape that stands in several places is made ready once.
 Status Drawing::add(const std::vector<DibrModel>& models) {
-  std::map<const DibrShape*, render::Scene> known;
-  for (const DibrModel& model : models) {
-    const auto [at, is_new] = known.try_emplace(model.shape.get());
-    if (is_new) {
-      auto ready = make_ready(model);
-      if (!ready.ok()) return std::move(ready).error();
-      at->second = std::move(ready).value();
-    }
-    for (const render::VoxelCloud& cloud : at->second.voxels)
-      scene_.voxels.push_back({cloud.tree, model.to_world});
-    for (const render::SurfelCloud& cloud : at->second.surfels)
-      scene_.surfels.push_back({cloud.surfels, model.to_world});
-  }
+  auto made = maker().make(models, diagnostics_);
+  if (!made.ok()) return std::move(made).error();
+  const auto append = [](auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  append(made.value().voxels, scene_.voxels);
+  append(made.value().surfels, scene_.surfels);
+  const std::vector<render::ModelCamera> cameras = render::model_cameras(models);
+  append(cameras, cameras_);
   return {};
 }
 
-Result<render::Scene> Drawing::make_ready(const DibrModel& model) {
+Result<render::Scene> Drawing::scene() const {
+  if (!mesh_) return scene_;
+  auto shapes = shapes_of(mesh_, shade_, session_.limits);
+  if (!shapes.ok()) return std::move(shapes).error();
   render::Scene scene;
-  if (const OctreeModel* octree = model.octree()) {
-    const auto tree = colour(*octree);
-    if (!tree.ok()) return tree.error();
-    scene.voxels.push_back({tree.value(), glm::dmat4(1)});
-    return scene;
-  }
-  for (const DepthImage& image : *model.depth_images()) {
-    auto surfels = surfels_of(image, session_.options.threads, left_);
-    if (!surfels.ok()) return std::move(surfels).error();
-    scene.surfels.push_back({keep(std::move(surfels).value()), glm::dmat4(1)});
-  }
+  scene.shapes = std::move(shapes).value();
+  scene.headlight = true;
   return scene;
 }
 
@@ -166,11 +157,25 @@ uint64_t Drawing::voxels() const {
 
 std::string Drawing::size() const {
   if (mesh_) return counted(mesh_->triangles.size(), "triangle");
-  uint64_t pieces = 0;
-  for (const render::SurfelCloud& cloud : scene_.surfels) pieces += cloud.surfels->size();
-  if (pieces == 0) return counted(voxels(), "voxel");
-  if (voxels() == 0) return counted(pieces, "point");
-  return counted(voxels(), "voxel") + " and " + counted(pieces, "point");
+  uint64_t points = 0, triangles = 0, lines = 0;
+  for (const render::SurfelCloud& cloud : scene_.surfels) points += cloud.surfels->size();
+  for (const Shape& shape : scene_.shapes) {
+    const Geometry::Kind kind = shape.geometry->kind;
+    uint64_t& count = kind == Geometry::Kind::triangles ? triangles
+                      : kind == Geometry::Kind::lines   ? lines
+                                                        : points;
+    count += shape.geometry->indices.size() / corners_of(kind);
+  }
+  std::vector<std::string> parts;
+  if (voxels() > 0) parts.push_back(counted(voxels(), "voxel"));
+  if (points > 0) parts.push_back(counted(points, "point"));
+  if (triangles > 0) parts.push_back(counted(triangles, "triangle"));
+  if (lines > 0) parts.push_back(counted(lines, "line"));
+  if (parts.empty()) return counted(0, "voxel");
+  std::string text = parts.front();
+  for (size_t i = 1; i < parts.size(); ++i)
+    text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  return text;
 }
 
 }  // namespace afx::tools

@@ -12,16 +12,16 @@
 
 namespace afx::tools {
 
-/// Draws pictures of one Drawing, which must outlive it and stay as it is. What can be made ready
-/// once is.
+/// Draws pictures of one Drawing, which must outlive it and is read again for each camera if it
+/// depends on the viewer. What can be made ready once is.
 class FrameDrawer {
  public:
-  /// renderer   draws splats; a mesh draws itself
-  /// Errors     those of Renderer::set_scene
-  static Result<FrameDrawer> make(const Drawing& drawing,
-                                  std::unique_ptr<render::Renderer> renderer);
+  /// mesh_by_itself   a mesh is drawn by MeshLook, otherwise by the renderer as shapes
+  /// Errors           those of Renderer::set_scene and Drawing::scene
+  static Result<FrameDrawer> make(Drawing& drawing, std::unique_ptr<render::Renderer> renderer,
+                                  bool mesh_by_itself);
 
-  /// Errors  those of Renderer::draw and Drawing::draw
+  /// Errors  those of Renderer::draw, Drawing::draw and Drawing::set_viewer
   Status draw(const render::Camera& camera, const render::RenderOptions& options,
               render::RenderedImage& image);
 
@@ -29,11 +29,14 @@ class FrameDrawer {
   [[nodiscard]] std::string name() const;
 
  private:
-  FrameDrawer(const Drawing& drawing, std::unique_ptr<render::Renderer> renderer)
+  FrameDrawer(Drawing& drawing, std::unique_ptr<render::Renderer> renderer)
       : drawing_(&drawing), renderer_(std::move(renderer)) {}
 
-  const Drawing* drawing_;
-  std::unique_ptr<render::Renderer> renderer_;  // null: of a mesh
+  Status take_scene();
+  Status show_to(const render::Camera& camera);
+
+  Drawing* drawing_;
+  std::unique_ptr<render::Renderer> renderer_;  // null: a mesh draws itself
 };
 
 }  // namespace afx::tools

@@ -41,20 +41,8 @@ Result<Input> open_any(const std::string& path, const std::string& input_format,
                        const Limits& limits, Diagnostics& diagnostics) {
   auto file = MappedFile::open(path, limits);
   if (!file.ok()) return in_file(std::move(file).error(), path);
-  Input input{path, Kind::unknown, std::move(file).value()};
-  if (!input_format.empty()) {
-    input.kind = kind_of_format(input_format);
-    return input;
-  }
-  const Kind ending = kind_of_ending(path);
-  const Kind content =
-      ending == Kind::raw_octree ? Kind::raw_octree : kind_of_content(input.file.bytes());
-  input.kind = content == Kind::unknown ? ending : content;
-  if (content != Kind::unknown && ending != Kind::unknown && content != ending) {
-    diagnostics.warn("wrong_ending", Place::none(),
-                     std::string("is ") + describe(content) + ", whatever its ending says");
-  }
-  return input;
+  if (input_format.empty()) return input_of(path, std::move(file).value(), diagnostics);
+  return Input{path, kind_of_format(input_format), std::move(file).value()};
 }
 
 /// Octree fields of a stream: the only frame, or the one asked for.
@@ -102,6 +90,17 @@ Kind kind_of_content(std::span<const uint8_t> bytes) {
   if (looks_like_xmt(bytes)) return Kind::scene_xml;
   if (!picture_format_of_content(bytes).empty()) return Kind::picture;
   return Kind::unknown;
+}
+
+Input input_of(const std::string& path, MappedFile file, Diagnostics& diagnostics) {
+  const Kind ending = kind_of_ending(path);
+  const Kind content =
+      ending == Kind::raw_octree ? Kind::raw_octree : kind_of_content(file.bytes());
+  if (content != Kind::unknown && ending != Kind::unknown && content != ending) {
+    diagnostics.warn("wrong_ending", Place::none(),
+                     std::string("is ") + describe(content) + ", whatever its ending says");
+  }
+  return {path, content == Kind::unknown ? ending : content, std::move(file)};
 }
 
 std::string Input::folder() const {

@@ -31,6 +31,10 @@ struct Input {
 /// The error with the file that it is about, if it names none.
 Error in_file(Error error, const std::string& file);
 
+/// An opened file with its kind: by its content, else by its ending; it may be unknown. Warnings
+/// wrong_ending: they disagree
+Input input_of(const std::string& path, MappedFile file, Diagnostics& diagnostics);
+
 /// Opens a file and tells its kind: --input-format if given, .oct by the ending, else the content,
 /// else the ending. Where content and ending disagree, content wins (warning wrong_ending). Errors
 /// as MappedFile::open; malformed: nothing tells what it is

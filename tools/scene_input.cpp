@@ -159,7 +159,7 @@ void warn_of_left_out(const nodes::Scene& scene, Diagnostics& diagnostics) {
   for (const auto& [type, count] : left_out) {
     diagnostics.warn("left_out", Place::none(),
                      counted(count, type) + (count == 1 ? " is" : " are") +
-                         " left out: this version takes DepthImages and OctreeImages only");
+                         " left out: a model is made of DepthImages and OctreeImages");
   }
 }
 

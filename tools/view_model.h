@@ -10,11 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "afx/dibr_model.h"
 #include "afx/surroundings.h"
 #include "codec/diagnostics.h"
 #include "codec/error.h"
-#include "nodes/scene.h"
+#include "render/model_cameras.h"
 #include "tools/session.h"
 #include "tools/viewer/viewer_model.h"
 
@@ -29,19 +28,19 @@ struct ViewQuery {
   bool is_usage = false;  ///< set where one of these is what is wrong
 };
 
-/// The Viewpoints of a scene, in its order, in the world. Those whose place is not finite, and all
-/// beyond kMostViewpoints, are left out.
+/// Viewpoints beyond so many are left out.
 inline constexpr size_t kMostViewpoints = 1000;
-[[nodiscard]] std::vector<Viewpoint> viewpoints_of(const nodes::Scene& scene);
 
 /// The cameras of the pictures that models came with, in the world: of DepthImages and of the
 /// images of OctreeImages. Those that are not finite or see nothing are left out.
-[[nodiscard]] std::vector<ReferenceCamera> reference_cameras(const std::vector<DibrModel>& models);
+[[nodiscard]] std::vector<ReferenceCamera> reference_cameras(
+    const std::vector<render::ModelCamera>& of_models);
 
-/// Reads a model of any kind but a mesh and makes it ready to be drawn.
+/// Reads a model of any kind and makes it ready to be drawn: scenes as they are without a viewer,
+/// meshes as shapes.
 ///
 /// doing     is told what is being done, for people
-/// Errors    those of the readers; unsupported: a mesh; bad_argument: no such viewpoint
+/// Errors    those of the readers; bad_argument: no such viewpoint
 /// Warnings  those of the readers
 [[nodiscard]] Result<std::shared_ptr<const ViewerModel>> load_view_model(
     const std::string& path, ViewQuery& query, const Session& session, Diagnostics& diagnostics,
