@@ -36,8 +36,8 @@ struct RenderOptions {
   SplatKind splats = SplatKind::smooth;
   /// Multiplies all splats: of a disc that faces the viewer the diameter is so many times the
   /// longest projected space diagonal of its voxel (the paper has 1.3); of one on the surface the
-  /// radius is 0.8 voxel sides times this; the sides of a surfel are longer by this and a tenth. At
-  /// 1 or more closed surfaces have no holes. 1..8
+  /// radius is 0.75 voxel sides times this; the sides of a surfel are longer by this and a tenth.
+  /// At 1 or more closed surfaces have no holes. 1..8
   double splat_scale = 1.05;
   /// Octrees are not drawn finer than this level.
   unsigned finest_level = 32;
@@ -70,11 +70,11 @@ void resize(RenderedImage& image, const RenderOptions& options);
 /// that faces the viewer, large enough to hold the projection of its cube, that bulges towards the
 /// viewer: its centre has the depth of the voxel's, its rim lies half a voxel side deeper; so
 /// neighbours part evenly instead of covering each other like scales. The colour of a sample is the
-/// mean, in linear light, of the splats not more than 0.4 voxel sides behind the nearest one there,
-/// weighted towards their centres: enough to soften the border between neighbours, too little for
-/// the next layer of voxels to show. A pixel is the mean of its samples. Where voxels are smaller
-/// than a sample the nodes above them are drawn, with mean colours as they are seen from the
-/// viewer's side, each part of an octree by its own distance.
+/// mean, in linear light, of the splats not more than a quarter of a voxel side behind the nearest
+/// one there, weighted towards their centres: enough to soften the border between neighbours, too
+/// little for the next layer of voxels to show. A pixel is the mean of its samples. Where voxels
+/// are smaller than a sample the nodes above them are drawn, with mean colours as they are seen
+/// from the viewer's side, each part of an octree by its own distance.
 ///
 /// Each surfel is the parallelogram that it is, with its own depth at every sample, a little longer
 /// than it is so that neighbours overlap, and not narrower than a sample. It is mixed in where it

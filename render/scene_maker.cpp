@@ -66,7 +66,9 @@ Status SceneMaker::add_octree(const OctreeModel& octree, const Limits& left, Rea
   const auto coloured = colour_octree(octree, level, options_.threads, left, diagnostics);
   if (!coloured.ok()) return coloured.error();
   const ColouredVoxels& voxels = coloured.value();
-  auto tree = VoxelTree::make(voxels.level, voxels.codes, voxels.colours);
+  const VoxelSurface surface =
+      voxel_surface(voxels.codes, voxels.level, VoxelBlocks(voxels.codes), options_.threads);
+  auto tree = VoxelTree::make(voxels.level, voxels.codes, voxels.colours, &surface);
   if (!tree.ok()) return std::move(tree).error();
   ready.tree = std::move(tree).value();
   ready.bytes = ready.tree->bytes();

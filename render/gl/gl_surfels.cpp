@@ -59,7 +59,7 @@ GlSurfelCloud::GlSurfelCloud(const SurfelCloud& cloud, const GlSurfels& surfels,
     : surfels_(surfels),
       lens_(lens),
       scale_(options.splats == SplatKind::points ? 0 : options.splat_scale * kSurfelMargin),
-      tolerance_(options.splats == SplatKind::smooth ? kTolerance : 0),
+      tolerance_(options.splats == SplatKind::smooth ? kSurfelTolerance : 0),
       axes_(lens.to_view * glm::dmat3(cloud.local_to_world)),
       stretch_(stretch_of(axes_)),
       origin_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)) {}

@@ -12,7 +12,6 @@ namespace afx::render {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kFarAway = 8;  // as in OctreeView: only so many sides away nodes are drawn whole
 constexpr uint32_t kSmallRun = 1024;  // nodes that are not worth looking at more closely
 constexpr double kRounding = 1e-5;    // of distances
 
@@ -22,7 +21,7 @@ double last_from_of(const OctreeView& octree, unsigned level, double coarseness)
   const double side = octree.size(level).side;
   const Lens& lens = octree.lens();
   if (!lens.perspective) return lens.focal * side <= coarseness ? -kNever : kNever;
-  return std::max(kFarAway * side, lens.focal * side / coarseness);
+  return std::max(OctreeView::kFarAway * side, lens.focal * side / coarseness);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ float stand_on(vec3 n, vec3 centre, float distance, out float deep) {
   float radius = max(facet_radius, least_radius * w);
   vec3 ray = perspective != 0 ? vec3(centre.xy / distance, -1.0) : vec3(0.0, 0.0, -1.0);
   float straight = dot(n, ray);
-  float facing = max(abs(straight), least_radius * w / radius * length(ray));
+  float facing = max(abs(straight), least_radius * w / radius * ((1.0 + dot(ray, ray)) / 2.0));
   if (straight < 0.0) facing = -facing;
   lean = vec3(-w * n.xy / facing, perspective != 0 ? 1.0 / distance : 0.0);
   vec3 along_x = lean.x * ray + vec3(w, 0.0, 0.0);

@@ -27,17 +27,19 @@ std::vector<Box> many_boxes(size_t count) {
 TEST(BoxCells, EachTileHasTheBoxesThatTouchItInOrder) {
   const RenderOptions options{.width = 640, .height = 384, .samples = 1};
   const TileGrid grid(options);
+  const auto side = static_cast<float>(grid.side);
   const std::vector<Box> boxes = many_boxes(40000);
   for (const unsigned threads : {1U, 4U}) {
     const BoxCells cells(boxes, grid, options.samples, threads);
     std::vector<uint32_t> got;
     for (uint32_t row = 0; row < grid.rows; ++row) {
       for (uint32_t column = 0; column < grid.columns; ++column) {
-        const float left = static_cast<float>(column) * 64, top = static_cast<float>(row) * 64;
+        const float left = static_cast<float>(column) * side, top = static_cast<float>(row) * side;
         std::vector<uint32_t> expected;
         for (uint32_t k = 0; k < boxes.size(); ++k) {
           const Box& b = boxes[k];
-          if (b.x0 <= b.x1 && b.x1 >= left && b.x0 <= left + 64 && b.y1 >= top && b.y0 <= top + 64)
+          if (b.x0 <= b.x1 && b.x1 >= left && b.x0 <= left + side && b.y1 >= top &&
+              b.y0 <= top + side)
             expected.push_back(k);
         }
         cells.collect(boxes, column, row, got);

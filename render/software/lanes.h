@@ -38,9 +38,10 @@ AFX_PART_OF_CALLER void store(float* to, Lanes lanes) { std::memcpy(to, &lanes, 
 AFX_PART_OF_CALLER Lanes least(Lanes a, Lanes b) { return b < a ? b : a; }
 AFX_PART_OF_CALLER Lanes most(Lanes a, Lanes b) { return a < b ? b : a; }
 AFX_PART_OF_CALLER bool any(LaneMask mask) {
-  int64_t parts[4];
-  std::memcpy(parts, &mask, sizeof parts);
-  return (parts[0] | parts[1] | parts[2] | parts[3]) != 0;
+  using Words = int64_t __attribute__((vector_size(32)));
+  Words words;
+  std::memcpy(&words, &mask, sizeof words);
+  return (words[0] | words[1] | words[2] | words[3]) != 0;
 }
 AFX_PART_OF_CALLER Lanes lane_numbers() { return Lanes{0, 1, 2, 3, 4, 5, 6, 7}; }
 AFX_PART_OF_CALLER LaneMask first_lanes(int count) {

@@ -14,8 +14,7 @@
 namespace afx::render {
 namespace {
 
-constexpr double kBulge = 0.5;  // a part of the node's shortest side; see renderer.h
-constexpr double kFarAway = 8;  // nodes so many of their reaches away are reckoned in floats
+constexpr double kBulge = 0.5;          // a part of the node's shortest side; see renderer.h
 constexpr float kLeastStretch = 0.25F;  // a disc nearer to the eye is not bounded closely
 constexpr double kMostFloat = 1e12, kLeastFloat = 1e-12;  // these and their squares are floats
 
@@ -49,7 +48,7 @@ OctreeView::Size size_of(const glm::dmat3& cube, unsigned level, const Lens& len
   const double shortest = std::min({sides[0], sides[1], sides[2]});
   size.radius = OctreeView::kFacetRadius * scale * size.side;
   size.bulge = static_cast<float>(kBulge * shortest);
-  size.tolerance = kind == SplatKind::smooth ? static_cast<float>(kTolerance * shortest) : 0;
+  size.tolerance = kind == SplatKind::smooth ? static_cast<float>(kVoxelTolerance * shortest) : 0;
   return size;
 }
 
@@ -77,17 +76,10 @@ OctreeView::OctreeView(const VoxelCloud& cloud, const Lens& lens, const RenderOp
       axes_(lens.to_view * glm::dmat3(cloud.local_to_world)),
       to_cube_(glm::inverse(axes_)),
       normals_(normal_matrix(axes_, to_cube_)),
-      root_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)) {
+      root_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)),
+      all_face_(points_ || normals_ == glm::dmat3(0)) {
   for (unsigned level = 0; level <= last_; ++level)
     sizes_.push_back(size_of(axes_, level, lens, scale_, options.splats));
-}
-
-bool OctreeView::is_last(unsigned level, const glm::dvec3& parent) const {
-  if (level == last_) return true;
-  const double distance = -parent.z;
-  const double side = sizes_[level].side;
-  if (lens_.perspective && !(distance > kFarAway * side)) return false;
-  return lens_.zoom_at(distance) * side <= coarseness_;
 }
 
 unsigned OctreeView::nearest_child(const glm::dvec3& ray) const {
@@ -149,7 +141,7 @@ void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Face
   const glm::dvec3 normal =
       normals_ * glm::dvec3(facet.normal[0], facet.normal[1], facet.normal[2]);
   const double length = glm::length(normal);
-  if (length > 0 && !points_) return project_tilted(point, normal / length, level, i, out);
+  if (length > 0 && !all_face_) return project_tilted(point, normal / length, level, i, out);
   const double wanted = points_ ? 0 : facing_radius(point, size) * scale_;
   const double r = std::clamp(wanted, double{kLeastRadius}, kMostRadius);
   if (lens_.on_screen(at, r)) out.reach[i] = out.radius[i] = static_cast<float>(r);
@@ -166,20 +158,18 @@ bool OctreeView::is_far(const glm::dvec3& parent, unsigned level) const {
 }
 
 void OctreeView::gather(VoxelTree::Branch branch, unsigned level, EightFacets& facets) const {
-  facets = {};
-  facets.all_tilted = !points_;
-  const std::span<const VoxelTree::Facet> all = tree_->facets(level);
-  uint32_t number = branch.first_child;
+  const VoxelTree::Facet* next = tree_->facets(level).data() + branch.first_child;
+  facets.all_tilted = !all_face_;
   for (unsigned i = 0; i < 8; ++i) {
-    if ((branch.symbol >> i & 1U) == 0) continue;
-    const VoxelTree::Facet& facet = all[number++];
+    const bool is_there = (branch.symbol >> i & 1U) != 0;
+    const VoxelTree::Facet facet = is_there ? *next++ : VoxelTree::Facet{{0, 0, 1}, {0, 0, 0}};
     facets.sx[i] = facet.shift[0];
     facets.sy[i] = facet.shift[1];
     facets.sz[i] = facet.shift[2];
-    if (points_) continue;
-    facets.nx[i] = facet.normal[0];
-    facets.ny[i] = facet.normal[1];
-    facets.nz[i] = facet.normal[2];
+    const float tilted = all_face_ ? 0 : 1;
+    facets.nx[i] = tilted * facet.normal[0];
+    facets.ny[i] = tilted * facet.normal[1];
+    facets.nz[i] = tilted * facet.normal[2];
     facets.all_tilted =
         facets.all_tilted && (facet.normal[0] | facet.normal[1] | facet.normal[2]) != 0;
   }
@@ -302,10 +292,10 @@ Tilt OctreeView::tilt(const EightDiscs& discs, unsigned i, unsigned level, Splat
     ray.x = (outline.x - static_cast<float>(lens_.middle.x)) / focal;
     ray.y = (static_cast<float>(lens_.middle.y) - outline.y) / focal;
   }
-  const float least = kLeastRadius * w / radius * glm::length(ray);
+  const float least = kLeastRadius * w / radius * ((1 + glm::dot(ray, ray)) / 2);  // >= the root
   const float straight = glm::dot(n, ray);
   const float facing = std::copysign(std::max(std::abs(straight), least), straight);
-  const float e_x = -w * n.x / facing, e_y = w * n.y / facing;
+  const float turned = w / facing, e_x = -turned * n.x, e_y = turned * n.y;
   const glm::vec3 along_x = e_x * ray + glm::vec3(w, 0, 0);
   const glm::vec3 along_y = e_y * ray - glm::vec3(0, w, 0);
   const float a = glm::dot(along_x, along_x) * inverse, b = glm::dot(along_x, along_y) * inverse,
@@ -315,8 +305,9 @@ Tilt OctreeView::tilt(const EightDiscs& discs, unsigned i, unsigned level, Splat
   const float area = a * c - b * b;
   const float stretch = 1 / std::max(kLeastStretch, 1 - nearness * (depth - outline.nearest));
   if (!(area > 0) || stretch > 1 / (2 * kLeastStretch)) return tilt;
-  outline.reach_x = std::min(outline.reach_x, std::sqrt(c / area) * stretch);
-  outline.reach_y = std::min(outline.reach_y, std::sqrt(a / area) * stretch);
+  const float part = 1 / area;
+  outline.reach_x = std::min(outline.reach_x, std::sqrt(c * part) * stretch);
+  outline.reach_y = std::min(outline.reach_y, std::sqrt(a * part) * stretch);
   return tilt;
 }
 

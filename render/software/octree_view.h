@@ -39,7 +39,10 @@ struct EightDiscs {
 /// multiplied by RenderOptions::splat_scale, and no disc is narrower than kLeastRadius.
 class OctreeView {
  public:
-  static constexpr double kFacetRadius = 0.8;
+  static constexpr double kFacetRadius = 0.75;
+  /// Nodes so many of their reaches away are reckoned in floats; nearer ones are never coarser
+  /// ones.
+  static constexpr double kFarAway = 8;
 
   /// What the nodes of a level have in common.
   struct Size {
@@ -75,7 +78,12 @@ class OctreeView {
   }
 
   /// Whether nodes of a level, with their parent's centre there, are to be drawn as they are.
-  [[nodiscard]] bool is_last(unsigned level, const glm::dvec3& parent) const;
+  [[nodiscard]] bool is_last(unsigned level, const glm::dvec3& parent) const {
+    if (level == last_) return true;
+    const double distance = -parent.z, side = sizes_[level].side;
+    if (lens_.perspective && !(distance > kFarAway * side)) return false;
+    return lens_.zoom_at(distance) * side <= coarseness_;
+  }
   /// Bit k: the half of a node with the larger coordinate k is the nearer one for whoever looks
   /// along `ray` (in the camera's system).
   [[nodiscard]] unsigned nearest_child(const glm::dvec3& ray) const;
@@ -144,6 +152,7 @@ class OctreeView {
   glm::dmat3 to_cube_;  // the other way round; not finite where the cube is flat
   glm::dmat3 normals_;  // takes normals to the camera's system; zero where the cube is flat
   glm::dvec3 root_;
+  bool all_face_;            // no disc is tilted: points, or there are no normals
   std::vector<Size> sizes_;  // by level
 };
 

@@ -106,7 +106,7 @@ TEST(Piece, ATriangleThatReachesBehindTheEyeCoversItsConeOnly) {
   for (size_t y = 0; y < 64; ++y) {
     const double slope = (32 - (static_cast<double>(y) + 0.5)) / 32;
     const bool expected = slope < -1.0 / 3;
-    EXPECT_EQ(samples.count(y * 64 + 31), expected ? 1U : 0U) << y;
+    EXPECT_EQ(samples.count(y * TileGrid(kOptions).side + 31), expected ? 1U : 0U) << y;
   }
 }
 

@@ -73,12 +73,13 @@ AFX_PART_OF_CALLER bool is_splat_hidden(const Splat& splat, const TileSamples& t
   const Rectangle box(splat, tile);
   const float depth = splat.nearest - splat.tolerance;
   const float* line = tile.depths.data() + static_cast<size_t>(box.y0) * tile.side;
-  LaneMask open{};
   for (int row = box.y0; row < box.y1; ++row, line += tile.side) {
+    LaneMask open{};
     for (int column = box.x0; column < box.x1; column += kLanes)
       open |= first_lanes(box.x1 - column) & (load(line + column) >= depth);
+    if (any(open)) return false;
   }
-  return !any(open);
+  return true;
 }
 
 template <class Shape>

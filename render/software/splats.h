@@ -34,6 +34,7 @@ inline constexpr float kLeastRadius = 0.7072F;
 /// The largest: its square is a float still.
 inline constexpr double kMostRadius = 1e18;
 /// The tolerance of a splat, as a part of the shortest side of its voxel or surfel; see renderer.h.
-inline constexpr double kTolerance = 0.4;
+inline constexpr double kVoxelTolerance = 0.25;
+inline constexpr double kSurfelTolerance = 0.4;
 
 }  // namespace afx::render

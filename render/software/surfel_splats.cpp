@@ -46,7 +46,7 @@ SurfelProjection::SurfelProjection(const SurfelCloud& cloud, const Lens& lens,
     : surfels_(*cloud.surfels),
       lens_(lens),
       scale_(options.splats == SplatKind::points ? 0 : options.splat_scale * kSurfelMargin),
-      tolerance_(options.splats == SplatKind::smooth ? kTolerance : 0),
+      tolerance_(options.splats == SplatKind::smooth ? kSurfelTolerance : 0),
       axes_(lens.to_view * glm::dmat3(cloud.local_to_world)),
       origin_(lens.to_view * (glm::dvec3(cloud.local_to_world[3]) - lens.position)) {}
 

@@ -17,7 +17,7 @@ namespace afx::render {
 /// The square tiles of a picture, row by row from the upper left corner.
 struct TileGrid {
   explicit TileGrid(const RenderOptions& options)
-      : side(options.samples == 1 ? 64 : 32),
+      : side(options.samples == 1 ? 128 : 32),
         columns((options.width + side - 1) / side),
         rows((options.height + side - 1) / side) {}
 
