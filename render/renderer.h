@@ -38,7 +38,7 @@ struct RenderOptions {
   /// longest projected space diagonal of its voxel (the paper has 1.3); of one on the surface the
   /// radius is 0.75 voxel sides times this; the sides of a surfel are longer by this and a tenth.
   /// At 1 or more closed surfaces have no holes. 1..8
-  double splat_scale = 1.05;
+  double splat_scale = 1;
   /// Octrees are not drawn finer than this level.
   unsigned finest_level = 32;
   /// Nodes of an octree are drawn as wholes where their side is not more than so many samples: by
