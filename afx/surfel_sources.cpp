@@ -136,7 +136,7 @@ Result<Surfels> surfels_of(const OctreeModel& model, unsigned threads, const Lim
   if (Status memory = check_surfel_memory(voxels.codes.size(), limits); !memory.ok())
     return memory.error();
   const VoxelBlocks blocks(voxels.codes);
-  const auto [normals, heights] = voxel_surface(voxels.codes, levels, blocks, threads);
+  const auto [normals, heights, seen] = voxel_surface(voxels.codes, levels, blocks, threads);
   const double side = std::ldexp(1.0, -static_cast<int>(levels));
   const auto half = static_cast<float>(kVoxelHalfSide * side);
   Surfels surfels;

@@ -19,6 +19,10 @@ struct VoxelSurface {
   /// How far above the voxel's centre along its normal the surface lies, in voxel sides: as high as
   /// the mean of its neighbours' centres, but inside the voxel.
   std::vector<float> heights;
+  /// The number of the voxel that is seen in the place of this one: the next or next but one in the
+  /// direction of its normal, if there is any, else itself. Surfaces are often two voxels thick;
+  /// the colour of the lower one nobody has seen, and it should not show where both are drawn.
+  std::vector<uint32_t> seen;
 };
 
 /// The surface through the voxels given as ascending Morton codes: normals as surface_normals has

@@ -127,6 +127,7 @@ TEST(Render, EdgesAreMixedWithTheBackgroundInLinearLight) {
   TestModel model = one_voxel();
   model.colours[0] = {255, 255, 255, 255};
   RenderOptions options{.width = 40, .height = 40, .background = {0, 0, 0, 255}, .samples = 2};
+  options.splat_scale = 1.05;
   const RenderedImage image = drawn(model.scene(), front(4), options);
   std::set<int> seen;
   for (size_t i = 0; i < image.picture.samples.size(); i += 4) {

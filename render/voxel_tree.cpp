@@ -53,10 +53,15 @@ Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rg
                " colours (expected as many)");
   }
   if (surface != nullptr &&
-      (surface->normals.size() != codes.size() || surface->heights.size() != codes.size())) {
+      (surface->normals.size() != codes.size() || surface->heights.size() != codes.size() ||
+       surface->seen.size() != codes.size())) {
     return bad(std::to_string(codes.size()) + " voxels with " +
                std::to_string(surface->normals.size()) + " normals and " +
                std::to_string(surface->heights.size()) + " heights (expected as many)");
+  }
+  if (surface != nullptr && std::any_of(surface->seen.begin(), surface->seen.end(),
+                                        [&](uint32_t number) { return number >= codes.size(); })) {
+    return bad("a voxel is seen as another one that is not there");
   }
   if (codes.size() >= kMostVoxels) {
     return bad(std::to_string(codes.size()) + " voxels (expected fewer than 2^31)");
@@ -193,12 +198,15 @@ Result<std::shared_ptr<const VoxelTree>> VoxelTree::make(unsigned level,
   tree->branches_.resize(level);
   tree->sides_.resize(level);
   tree->colours_.assign(colours.begin(), colours.end());
+  if (surface != nullptr) {
+    for (size_t i = 0; i < colours.size(); ++i) tree->colours_[i] = colours[surface->seen[i]];
+  }
   for (Rgba8& colour : tree->colours_) colour.a = 255;
   tree->facets_.resize(level + 1);
   Level nodes{{codes.begin(), codes.end()}, {}, pieces_of(codes, surface)};
   tree->facets_[level] = facets_of(nodes, 0);
   for (unsigned at = level; at-- > 0;) {
-    nodes = parents(nodes, colours, tree->branches_[at]);
+    nodes = parents(nodes, tree->colours_, tree->branches_[at]);
     tree->branches_[at].shrink_to_fit();
     tree->sides_[at] = colours_of(nodes);
     tree->facets_[at] = facets_of(nodes, level - at);

@@ -48,8 +48,8 @@ class VoxelTree {
   /// level    of the voxels, at most codec::kMortonLevels
   /// codes    Morton codes (codec/octree_voxels.h), ascending, no doubles; fewer than 2^31
   /// colours  sRGB, one for each code; drawn opaque, a is not looked at
-  /// surface  of the voxels (afx/voxel_surface.h); null: all facets lie in the middle of their
-  /// nodes
+  /// surface  of the voxels (afx/voxel_surface.h), whose `seen` says whose colour each has; null:
+  /// all facets lie in the middle of their nodes
   ///          and have no normal
   /// Errors   bad_argument: one of these does not hold (the text says which)
   static Result<std::shared_ptr<const VoxelTree>> make(unsigned level,
