@@ -44,15 +44,15 @@ constexpr size_t corners_of(Geometry::Kind kind) {
 /// How a surface looks. Colours are display values (sRGB), 0..1; lighting is reckoned with them as
 /// they are, as VRML97 does.
 struct Look {
-  bool lit = true;  ///< false: no Material; shown in full brightness, white or in the colour that
-                    ///< diffuse and emissive both hold then
+  bool lit = true;  ///< false: shown in full brightness, in the colour that diffuse and emissive
+                    ///< both hold then: white where there is no Material
   glm::vec3 diffuse{0.8F};
   glm::vec3 specular{0};
   glm::vec3 emissive{0};
   float ambient_intensity = 0.2F;
   float shininess = 0.2F;
   float transparency = 0;  ///< 0 opaque..1 invisible
-  /// 1 or 2 components: multiplies the diffuse colour or the corners' (unlit: is the colour);
+  /// 1 or 2 components: multiplies the diffuse colour or the corners';
   /// 3 or 4: takes its place. The last of 2 or 4 is opacity, in place of 1 - transparency.
   std::shared_ptr<const Picture> texture{};
   bool repeat_s = true, repeat_t = true;  ///< false: the picture's edge goes on

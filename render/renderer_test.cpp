@@ -270,9 +270,9 @@ TEST(Render, LimitsAreKept) {
   const auto image = render(model.scene(), Camera{}, {.width = 10, .height = 10}, limits);
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.error().code, Errc::limit_exceeded);
-  limits = {.memory = 1000};
-  EXPECT_FALSE(render(model.scene(), Camera{}, {.width = 16, .height = 16}, limits).ok());
-  EXPECT_TRUE(render(model.scene(), Camera{}, {.width = 10, .height = 10}, limits).ok());
+  limits = {.memory = 100000};  // some of it for the cloud
+  EXPECT_FALSE(render(model.scene(), Camera{}, {.width = 160, .height = 160}, limits).ok());
+  EXPECT_TRUE(render(model.scene(), Camera{}, {.width = 100, .height = 100}, limits).ok());
 }
 
 TEST(Outline, HoldsTheVoxelsClosely) {

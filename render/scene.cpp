@@ -16,6 +16,8 @@ namespace afx::render {
 namespace {
 
 constexpr unsigned kOutlineLevel = 5;
+constexpr size_t kManyObjects = 256;  // of these each is a box, or its outline would be too long
+constexpr size_t kManyCorners = size_t{1} << 20;
 
 Error bad(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
 
@@ -84,29 +86,47 @@ struct Box {
   }
 };
 
-void add_surfels(const SurfelCloud& cloud, std::vector<glm::dvec3>& points) {
+void add_box(const Box& box, const glm::dmat4& to_world, std::vector<glm::dvec3>& points) {
+  for (unsigned k = 0; k < 8; ++k) {
+    const glm::dvec3 corner((k & 1U) != 0 ? box.high.x : box.low.x,
+                            (k & 2U) != 0 ? box.high.y : box.low.y,
+                            (k & 4U) != 0 ? box.high.z : box.low.z);
+    points.emplace_back(to_world * glm::dvec4(corner, 1));
+  }
+}
+
+void add_surfels(const SurfelCloud& cloud, unsigned level, std::vector<glm::dvec3>& points) {
   Box whole;
   for_corners(*cloud.surfels, [&](const glm::dvec3& p) { whole.add(p); });
-  constexpr int kCells = 1 << kOutlineLevel;
-  const glm::dvec3 cell = (whole.high - whole.low) / double{kCells};
-  std::vector<Box> boxes(size_t{kCells} * kCells * kCells);
+  const int cells = 1 << level;
+  const glm::dvec3 cell = (whole.high - whole.low) / static_cast<double>(cells);
+  std::vector<Box> boxes(size_t{1} << (3 * level));
   for_corners(*cloud.surfels, [&](const glm::dvec3& p) {
     size_t at = 0;
     for (int k = 0; k < 3; ++k) {
       const double place = (p[k] - whole.low[k]) / cell[k];  // NaN in a flat box
-      at = at * kCells + (place > 0 ? static_cast<size_t>(std::min(place, kCells - 1.0)) : 0);
+      at = at * static_cast<size_t>(cells) +
+           (place > 0 ? static_cast<size_t>(std::min(place, cells - 1.0)) : 0);
     }
     boxes[at].add(p);
   });
   for (const Box& box : boxes) {
     if (!(box.low.x <= box.high.x)) continue;
-    for (unsigned k = 0; k < 8; ++k) {
-      const glm::dvec3 corner((k & 1U) != 0 ? box.high.x : box.low.x,
-                              (k & 2U) != 0 ? box.high.y : box.low.y,
-                              (k & 4U) != 0 ? box.high.z : box.low.z);
-      points.emplace_back(cloud.local_to_world * glm::dvec4(corner, 1));
-    }
+    add_box(box, cloud.local_to_world, points);
   }
+}
+
+void add_shape(const Shape& shape, bool as_box, std::vector<glm::dvec3>& points) {
+  const Geometry& geometry = *shape.geometry;
+  Box box;
+  for (const uint32_t index : geometry.indices) {
+    const glm::dvec3 corner(geometry.positions[index]);
+    box.add(corner);
+    if (!as_box && geometry.indices.size() <= kManyCorners)
+      points.emplace_back(shape.to_world * glm::dvec4(corner, 1));
+  }
+  if ((as_box || geometry.indices.size() > kManyCorners) && !geometry.indices.empty())
+    add_box(box, shape.to_world, points);
 }
 
 }  // namespace
@@ -129,17 +149,14 @@ Status check_scene(const Scene& scene) {
 
 std::vector<glm::dvec3> outline(const Scene& scene) {
   std::vector<glm::dvec3> points;
+  const size_t objects = scene.voxels.size() + scene.surfels.size() + scene.shapes.size();
+  const unsigned finest = objects > kManyObjects ? 0 : kOutlineLevel;
   for (const VoxelCloud& cloud : scene.voxels) {
-    const unsigned level = std::min(cloud.tree->level(), kOutlineLevel);
+    const unsigned level = std::min(cloud.tree->level(), finest);
     for (const uint64_t cell : cloud.tree->codes(level)) add_cell(cloud, cell, level, points);
   }
-  for (const SurfelCloud& cloud : scene.surfels) add_surfels(cloud, points);
-  for (const Shape& shape : scene.shapes) {
-    for (const uint32_t index : shape.geometry->indices) {
-      const glm::dvec3 corner(shape.geometry->positions[index]);
-      points.emplace_back(shape.to_world * glm::dvec4(corner, 1));
-    }
-  }
+  for (const SurfelCloud& cloud : scene.surfels) add_surfels(cloud, finest, points);
+  for (const Shape& shape : scene.shapes) add_shape(shape, finest == 0, points);
   return points;
 }
 

@@ -57,7 +57,8 @@ struct Scene {
 /// Points in world coordinates whose convex hull holds everything in the scene that is drawn,
 /// closely: the corners of the voxels' occupied cells at octree level 5 or coarser; for each cloud
 /// of surfels, in 32 x 32 x 32 cells of its bounding box, the boxes around the corners of surfels
-/// that fall into each; the corners of shapes. For fit_camera.
+/// that fall into each; the corners of shapes. Of scenes with more than 256 objects, and of shapes
+/// with more than 2^20 corners, boxes instead. For fit_camera.
 ///
 /// scene   one that check_scene finds right; surfels whose coordinates are not finite are passed
 ///         over

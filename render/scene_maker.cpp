@@ -68,7 +68,7 @@ Status SceneMaker::add_octree(const OctreeModel& octree, const Limits& left, Rea
   const ColouredVoxels& voxels = coloured.value();
   const VoxelSurface surface =
       voxel_surface(voxels.codes, voxels.level, VoxelBlocks(voxels.codes), options_.threads);
-  auto tree = VoxelTree::make(voxels.level, voxels.codes, voxels.colours, &surface);
+  auto tree = VoxelTree::make(voxels.level, voxels.codes, voxels.colours, &surface, left);
   if (!tree.ok()) return std::move(tree).error();
   ready.tree = std::move(tree).value();
   ready.bytes = ready.tree->bytes();

@@ -99,8 +99,7 @@ glm::vec3 reflected(const ViewLight& light, const Material& material, const Surf
 SurfaceColour surface_colour(const Look& look, Geometry::Kind kind, const glm::vec3* corner,
                              const glm::vec4* texel, uint32_t components) {
   const bool flat = kind == Geometry::Kind::triangles;
-  SurfaceColour result{look.lit ? (flat ? look.diffuse : look.emissive) : glm::vec3(1),
-                       1 - look.transparency};
+  SurfaceColour result{flat ? look.diffuse : look.emissive, 1 - look.transparency};
   if (corner != nullptr) result.colour = *corner;
   if (texel == nullptr || !flat) return result;
   const glm::vec3 own(*texel);

@@ -81,8 +81,8 @@ struct SurfaceColour {
 };
 
 /// The colour by VRML97's tables of what replaces and what multiplies what. Triangles: the corners'
-/// colour or the diffuse one, unlit white, where a texture has not its own. Lines, points: the
-/// corners' colour or the emissive one, unlit white; they have no textures.
+/// colour or the diffuse one, where a texture has not its own. Lines, points: the corners' colour
+/// or the emissive one; they have no textures.
 ///
 /// corner       the colour between the corners', or null
 /// texel        the texture's colour and opacity there, straight, or null

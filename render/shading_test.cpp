@@ -113,8 +113,8 @@ TEST(Shading, ColoursFollowTheTablesOfTheStandard) {
   EXPECT_EQ(surface_colour(look, lines, nullptr, nullptr, 0).colour, glm::vec3(0.1F));
   EXPECT_EQ(surface_colour(look, points, &corner, nullptr, 0).colour, corner);
   look.lit = false;
-  EXPECT_EQ(surface_colour(look, triangles, nullptr, nullptr, 0).colour, glm::vec3(1));
-  EXPECT_EQ(surface_colour(look, triangles, nullptr, &texel, 1).colour, glm::vec3(0.5F));
+  EXPECT_EQ(surface_colour(look, triangles, nullptr, nullptr, 0).colour, glm::vec3(0.8F));
+  EXPECT_EQ(surface_colour(look, triangles, nullptr, &texel, 1).colour, glm::vec3(0.8F) * 0.5F);
 }
 
 TEST(Shading, FogLeavesLessTheFartherAway) {

@@ -92,7 +92,11 @@ TEST(ShapeLight, LightsStandWhereTheyAreInTheWorld) {
 }
 
 TEST(ShapeLight, TexturesBeginAtTheLowerLeft) {
-  Look look{.lit = false, .texture = four_colours(), .repeat_s = false, .repeat_t = false};
+  Look look{.lit = false,
+            .diffuse = glm::vec3(1),
+            .texture = four_colours(),
+            .repeat_s = false,
+            .repeat_t = false};
   const Scene scene{.shapes = {shape_of(square(1, 0), look)}};
   // Places a quarter from the corners: the middles of the four pixels, with 10 pixels each.
   const RenderedImage image = drawn(scene, front(4), {.width = 81, .height = 81, .samples = 1});
@@ -104,7 +108,7 @@ TEST(ShapeLight, TexturesBeginAtTheLowerLeft) {
 
 TEST(ShapeLight, TextureTransformsAreApplied) {
   // Moved by half the picture to the right and repeated: the colours change places.
-  Look look{.lit = false, .texture = four_colours()};
+  Look look{.lit = false, .diffuse = glm::vec3(1), .texture = four_colours()};
   look.texture_transform[2] = {0.5F, 0, 1};
   const Scene scene{.shapes = {shape_of(square(1, 0), look)}};
   // The square is half as wide as the picture; 3/8 and 5/8 of that are the middles of pixels.
@@ -121,7 +125,11 @@ TEST(ShapeLight, TexturesAreSeenInPerspective) {
   Geometry floor;
   add_quad(floor, {{-5, -1, -1}, {5, -1, -1}, {5, -1, -3}, {-5, -1, -3}});
   floor.texture_coordinates = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const Look look{.lit = false, .texture = picture, .repeat_s = false, .repeat_t = false};
+  const Look look{.lit = false,
+                  .diffuse = glm::vec3(1),
+                  .texture = picture,
+                  .repeat_s = false,
+                  .repeat_t = false};
   const Camera camera{.position = {0, 0, 0}, .field_of_view = std::acos(0.0)};
   const RenderedImage image = drawn({.shapes = {shape_of(floor, look)}}, camera,
                                     {.width = 200, .height = 200, .samples = 1});
@@ -134,7 +142,7 @@ TEST(ShapeLight, ATextureFromFarIsItsMeanLight) {
   for (size_t k = 0; k < 64 * 64; ++k) picture->samples[k] = (k + k / 64) % 2 == 0 ? 255 : 0;
   Geometry geometry = square(1, 0);
   for (glm::vec2& place : geometry.texture_coordinates) place *= 50;
-  const Look look{.lit = false, .texture = picture};
+  const Look look{.lit = false, .diffuse = glm::vec3(1), .texture = picture};
   const RenderedImage image = drawn({.shapes = {shape_of(geometry, look)}}, front(4), kSmall);
   EXPECT_EQ(at(image, 20, 20), (Rgba8{188, 188, 188, 255}));  // half the light
 }

@@ -362,14 +362,14 @@ TEST(Surfels, LimitsAreKept) {
   Surfels surfels;
   add_square(surfels, 0.5, 0, 1, kRed);
   Limits limits;
-  limits.memory = 487;  // 4 bytes a pixel and 88 for the surfel
+  limits.memory = 495;  // 4 bytes a pixel, 8 a cell and 88 for the surfel
   const RenderOptions options{.width = 10, .height = 10};
   const auto image = render(scene_of(surfels), Camera{}, options, limits);
   ASSERT_FALSE(image.ok());
   EXPECT_EQ(image.error().code, Errc::limit_exceeded);
   EXPECT_EQ(image.error().text,
             "drawing 1 surfels and 0 shapes into 100 pixels needs more than the limits allow");
-  limits.memory = 488;
+  limits.memory = 496;
   EXPECT_TRUE(render(scene_of(surfels), Camera{}, options, limits).ok());
 }
 

@@ -42,6 +42,24 @@ struct Level {
 
 Error bad(const std::string& text) { return {Errc::bad_argument, Place::none(), text}; }
 
+Status check(const VoxelSurface& surface, size_t voxels) {
+  if (surface.normals.size() != voxels || surface.heights.size() != voxels ||
+      surface.seen.size() != voxels) {
+    return bad(std::to_string(voxels) + " voxels with " + std::to_string(surface.normals.size()) +
+               " normals, " + std::to_string(surface.heights.size()) + " heights and " +
+               std::to_string(surface.seen.size()) + " seen (expected as many)");
+  }
+  for (size_t i = 0; i < voxels; ++i) {
+    if (surface.seen[i] >= voxels)
+      return bad("voxel " + std::to_string(i) + " is seen as another one that is not there");
+    const glm::vec3 n = surface.normals[i];
+    if (!std::isfinite(n.x + n.y + n.z) || !(std::abs(surface.heights[i]) <= 1))
+      return bad("the surface in voxel " + std::to_string(i) +
+                 " has no finite normal, or a height beyond 1");
+  }
+  return {};
+}
+
 Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rgba8> colours,
              const VoxelSurface* surface) {
   if (level > codec::kMortonLevels) {
@@ -52,16 +70,8 @@ Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rg
     return bad(std::to_string(codes.size()) + " voxels with " + std::to_string(colours.size()) +
                " colours (expected as many)");
   }
-  if (surface != nullptr &&
-      (surface->normals.size() != codes.size() || surface->heights.size() != codes.size() ||
-       surface->seen.size() != codes.size())) {
-    return bad(std::to_string(codes.size()) + " voxels with " +
-               std::to_string(surface->normals.size()) + " normals and " +
-               std::to_string(surface->heights.size()) + " heights (expected as many)");
-  }
-  if (surface != nullptr && std::any_of(surface->seen.begin(), surface->seen.end(),
-                                        [&](uint32_t number) { return number >= codes.size(); })) {
-    return bad("a voxel is seen as another one that is not there");
+  if (surface != nullptr) {
+    if (Status fits = check(*surface, codes.size()); !fits.ok()) return fits;
   }
   if (codes.size() >= kMostVoxels) {
     return bad(std::to_string(codes.size()) + " voxels (expected fewer than 2^31)");
@@ -75,6 +85,34 @@ Status check(unsigned level, std::span<const uint64_t> codes, std::span<const Rg
     return bad("a voxel lies outside of the cube of level " + std::to_string(level));
   }
   return {};
+}
+
+/// How many nodes each level has. Between two codes all levels change from that of their first
+/// different bits on.
+std::vector<uint64_t> count_nodes(unsigned level, std::span<const uint64_t> codes) {
+  std::vector<uint64_t> counts(level + 1, codes.empty() ? 0 : 1);
+  for (size_t i = 1; i < codes.size(); ++i) {
+    const auto bit = static_cast<unsigned>(std::bit_width(codes[i] ^ codes[i - 1])) - 1;
+    for (unsigned at = level - bit / 3; at <= level; ++at) ++counts[at];
+  }
+  return counts;
+}
+
+/// The tree, and the two levels that are held while one is made from the other.
+Status check_memory(std::span<const uint64_t> counts, const Limits& limits) {
+  constexpr uint64_t kWork = sizeof(uint64_t) + sizeof(SeenSides) + sizeof(Piece);
+  constexpr uint64_t kInner =
+      sizeof(VoxelTree::Branch) + sizeof(VoxelTree::Sides) + sizeof(VoxelTree::Facet);
+  uint64_t kept = 0, most = 0;
+  for (size_t at = 0; at + 1 < counts.size(); ++at) {
+    kept += counts[at] * kInner;
+    most = std::max(most, (counts[at] + counts[at + 1]) * kWork);
+  }
+  kept += counts.back() * (sizeof(Rgba8) + sizeof(VoxelTree::Facet));
+  if (kept + most <= limits.memory) return {};
+  return Error{Errc::limit_exceeded, Place::none(),
+               "an octree of " + std::to_string(counts.back()) +
+                   " voxels needs more memory to be drawn than the limits allow"};
 }
 
 /// The nearer one before the other.
@@ -151,9 +189,13 @@ std::vector<VoxelTree::Facet> facets_of(const Level& level, unsigned depth) {
 }
 
 /// The nodes above those of `below`, and their branches.
-Level parents(const Level& below, std::span<const Rgba8> colours,
+Level parents(const Level& below, std::span<const Rgba8> colours, size_t count,
               std::vector<VoxelTree::Branch>& branches) {
   Level level;
+  level.codes.reserve(count);
+  level.seen.reserve(count);
+  level.pieces.reserve(count);
+  branches.reserve(count);
   for (size_t i = 0; i < below.codes.size();) {
     const uint64_t code = below.codes[i] >> 3;
     std::array<SeenSides, 8> children{};
@@ -192,8 +234,11 @@ std::vector<VoxelTree::Sides> colours_of(const Level& level) {
 Result<std::shared_ptr<const VoxelTree>> VoxelTree::make(unsigned level,
                                                          std::span<const uint64_t> codes,
                                                          std::span<const Rgba8> colours,
-                                                         const VoxelSurface* surface) {
+                                                         const VoxelSurface* surface,
+                                                         const Limits& limits) {
   if (Status s = check(level, codes, colours, surface); !s.ok()) return s.error();
+  const std::vector<uint64_t> counts = count_nodes(level, codes);
+  if (Status s = check_memory(counts, limits); !s.ok()) return s.error();
   const std::shared_ptr<VoxelTree> tree(new VoxelTree);
   tree->branches_.resize(level);
   tree->sides_.resize(level);
@@ -206,8 +251,7 @@ Result<std::shared_ptr<const VoxelTree>> VoxelTree::make(unsigned level,
   Level nodes{{codes.begin(), codes.end()}, {}, pieces_of(codes, surface)};
   tree->facets_[level] = facets_of(nodes, 0);
   for (unsigned at = level; at-- > 0;) {
-    nodes = parents(nodes, tree->colours_, tree->branches_[at]);
-    tree->branches_[at].shrink_to_fit();
+    nodes = parents(nodes, tree->colours_, counts[at], tree->branches_[at]);
     tree->sides_[at] = colours_of(nodes);
     tree->facets_[at] = facets_of(nodes, level - at);
   }

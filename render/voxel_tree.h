@@ -13,6 +13,7 @@
 #include "afx/picture.h"
 #include "afx/voxel_surface.h"
 #include "codec/error.h"
+#include "codec/limits.h"
 
 namespace afx::render {
 
@@ -43,7 +44,7 @@ class VoxelTree {
     int8_t shift[3];  ///< from the node's centre, in halves of its side
   };
 
-  /// The tree of a set of voxels. Takes up to 80 bytes a voxel while it works.
+  /// The tree of a set of voxels.
   ///
   /// level    of the voxels, at most codec::kMortonLevels
   /// codes    Morton codes (codec/octree_voxels.h), ascending, no doubles; fewer than 2^31
@@ -51,11 +52,14 @@ class VoxelTree {
   /// surface  of the voxels (afx/voxel_surface.h), whose `seen` says whose colour each has; null:
   /// all facets lie in the middle of their nodes
   ///          and have no normal
-  /// Errors   bad_argument: one of these does not hold (the text says which)
+  /// Errors   bad_argument: one of these does not hold (the text says which); limit_exceeded: the
+  /// tree
+  ///          and what making it takes need more than limits.memory
   static Result<std::shared_ptr<const VoxelTree>> make(unsigned level,
                                                        std::span<const uint64_t> codes,
                                                        std::span<const Rgba8> colours,
-                                                       const VoxelSurface* surface = nullptr);
+                                                       const VoxelSurface* surface = nullptr,
+                                                       const Limits& limits = {});
 
   /// The level of the voxels.
   [[nodiscard]] unsigned level() const { return static_cast<unsigned>(branches_.size()); }
@@ -72,7 +76,8 @@ class VoxelTree {
   [[nodiscard]] std::span<const Sides> sides(unsigned level) const { return sides_[level]; }
   /// Of any level, one for each of its nodes.
   [[nodiscard]] std::span<const Facet> facets(unsigned at) const { return facets_[at]; }
-  /// The nodes of a level as Morton codes, ascending. Eight bytes a node, made anew each time.
+  /// The nodes of a level, not beyond the last, as Morton codes, ascending. Eight bytes a node,
+  /// made anew each time.
   [[nodiscard]] std::vector<uint64_t> codes(unsigned level) const;
   /// Memory that it holds.
   [[nodiscard]] uint64_t bytes() const;

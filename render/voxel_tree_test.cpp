@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "codec/octree_voxels.h"
@@ -70,6 +71,69 @@ TEST(VoxelTree, WhatANodeDoesNotCoverLetsTheOneBehindBeSeen) {
   const auto tree = tree_of(maker.make());
   EXPECT_EQ(tree->sides(0)[0].from[0], (Rgba8{137, 0, 225, 255}));  // sRGB of 1/4 and 3/4
   EXPECT_EQ(tree->sides(0)[0].from[1], kBlue);
+}
+
+// Two of the eight voxels of level 1, with normals along +x and +y and heights of 0.2 and -0.1
+// sides: 0.4 and -0.2 half sides are 51 and -25 parts of 127. Their parent's normal is (1, 1, 0) /
+// sqrt 2; it lies at the mean of both points, from its centre (1, 1, 1) on in voxels:
+// ((0.7 + 1.5) / 2 - 1, (0.5 + 0.4) / 2 - 1, (0.5 + 0.5) / 2 - 1), halves of its side being one
+// voxel.
+TEST(VoxelTree, FacetsLieWhereTheSurfaceIsAndThoseAboveAtTheMean) {
+  const std::vector<uint64_t> codes{0, 1};
+  const std::vector<Rgba8> colours{kRed, kBlue};
+  const VoxelSurface surface{{{1, 0, 0}, {0, 1, 0}}, {0.2F, -0.1F}, {0, 1}};
+  const auto tree = VoxelTree::make(1, codes, colours, &surface).value();
+  const auto expect = [](const VoxelTree::Facet& facet, glm::ivec3 normal, glm::ivec3 shift) {
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(facet.normal[k], normal[k]) << k;
+      EXPECT_EQ(facet.shift[k], shift[k]) << k;
+    }
+  };
+  expect(tree->facets(1)[0], {127, 0, 0}, {51, 0, 0});
+  expect(tree->facets(1)[1], {0, 127, 0}, {0, -25, 0});
+  expect(tree->facets(0)[0], {90, 90, 0}, {13, -70, -64});
+}
+
+TEST(VoxelTree, NormalsThatDisagreeMakeNone) {
+  const std::vector<uint64_t> codes{0, 1};
+  const VoxelSurface surface{{{1, 0, 0}, {-1, 0, 0}}, {0, 0}, {0, 1}};
+  const auto tree = VoxelTree::make(1, codes, std::vector<Rgba8>(2), &surface).value();
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(tree->facets(0)[0].normal[k], 0);
+}
+
+TEST(VoxelTree, AVoxelHasTheColourOfTheOneThatIsSeen) {
+  const std::vector<uint64_t> codes{0, 1};
+  const std::vector<Rgba8> colours{kRed, kBlue};
+  const VoxelSurface surface{{{1, 0, 0}, {1, 0, 0}}, {0, 0}, {1, 1}};
+  const auto tree = VoxelTree::make(1, codes, colours, &surface).value();
+  EXPECT_EQ(tree->colours()[0], kBlue);
+  EXPECT_EQ(tree->sides(0)[0].from[1], kBlue);
+}
+
+TEST(VoxelTree, SurfacesThatDoNotFitAreRefused) {
+  const auto text = [](const VoxelSurface& surface) {
+    const std::vector<uint64_t> codes{0, 1};
+    const auto tree = VoxelTree::make(1, codes, std::vector<Rgba8>(2), &surface);
+    return tree.ok() ? std::string("ok") : tree.error().text;
+  };
+  const std::vector<glm::vec3> normals(2, {1, 0, 0});
+  EXPECT_EQ(text({normals, {0, 0}, {0, 1}}), "ok");
+  EXPECT_EQ(text({normals, {0, 0}, {0}}),
+            "2 voxels with 2 normals, 2 heights and 1 seen (expected as many)");
+  EXPECT_EQ(text({normals, {0, 0}, {0, 2}}), "voxel 1 is seen as another one that is not there");
+  EXPECT_EQ(text({normals, {0, NAN}, {0, 1}}),
+            "the surface in voxel 1 has no finite normal, or a height beyond 1");
+}
+
+TEST(VoxelTree, LimitsAreKeptBeforeTheMemoryIsAskedFor) {
+  const std::vector<uint64_t> codes{0, 7};
+  Limits limits;
+  limits.memory = 300;  // working at two levels of 3 nodes takes more
+  const auto tree = VoxelTree::make(1, codes, std::vector<Rgba8>(2), nullptr, limits);
+  ASSERT_FALSE(tree.ok());
+  EXPECT_EQ(tree.error().code, Errc::limit_exceeded);
+  EXPECT_EQ(tree.error().text,
+            "an octree of 2 voxels needs more memory to be drawn than the limits allow");
 }
 
 TEST(VoxelTree, ATreeWithoutVoxelsHasNoNodes) {

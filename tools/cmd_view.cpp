@@ -194,7 +194,7 @@ void add_view(CLI::App& program, Session& session) {
       program.add_subcommand("view", "Interactive window; 'h' in it shows the keys");
   command
       ->add_option("IN", options->input,
-                   "Scene, stream (.afx), raw octree (.oct), points (.ply) or RGB-D pictures "
+                   "Scene, stream (.afx), raw octree (.oct), mesh, points (.ply) or RGB-D pictures "
                    "(.json); - = standard input")
       ->required();
   command->add_option("--input-format", options->query.input_format,

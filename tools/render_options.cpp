@@ -103,7 +103,7 @@ void add_look_options(CLI::App& command, RenderCommand& options) {
           "Nodes of octrees not larger than so many samples are drawn as wholes; 0 = always "
           "the finest level")
       ->check(CLI::Range(0.0, 8.0))
-      ->default_str(fixed(how.coarseness, 0))
+      ->default_str(fixed(how.coarseness, 2))
       ->group(group);
   const std::vector<std::string> backends(std::begin(kBackends), std::end(kBackends));
   command.add_option("--backend", options.backend, "What draws: software or gl")

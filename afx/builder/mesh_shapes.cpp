@@ -106,6 +106,7 @@ class ShapeMaker {
     if (coloured_ && !textured) colour(material, geometry.value());
     Look look;
     look.lit = lit_;
+    if (!lit_) look.diffuse = look.emissive = glm::vec3(1);
     if (textured) {
       if (!add_texture(material, geometry.value(), look)) return too_large();
     }

@@ -110,14 +110,12 @@ class TwoPassRenderer : public GlRenderer {
   [[nodiscard]] std::string name() const override { return features_.name; }
 
   Status set_scene(Scene scene) override {
-    scene_ = {};
     Status status = check_scene(scene);
     if (status.ok()) status = check_upload(scene, limits_);
-    if (status.ok()) scene_ = std::move(scene);
-    splats_.set_scene(scene_);
-    shapes_.set_scene(scene_);
-    upload_pictures();
-    return status.ok() ? check_gl("uploading a scene") : status;
+    take(status.ok() ? std::move(scene) : Scene{});
+    if (status.ok()) status = check_gl("uploading a scene");
+    if (!status.ok()) take({});
+    return status;
   }
 
   Status draw(const Camera& camera, const RenderOptions& options, RenderedImage& image) override {
@@ -151,6 +149,13 @@ class TwoPassRenderer : public GlRenderer {
   }
 
  private:
+  void take(Scene scene) {
+    scene_ = std::move(scene);
+    splats_.set_scene(scene_);
+    shapes_.set_scene(scene_);
+    upload_pictures();
+  }
+
   void upload_pictures() {
     GlPictures pictures;
     for (const Shape& shape : scene_.shapes) pictures.add(shape.look->texture, pictures_);

@@ -186,7 +186,7 @@ void GlShapes::set_item(const GlProgram& program, const Item& item) const {
   program.set("is_line", g.kind == Geometry::Kind::lines ? 1 : 0);
   program.set("is_lit", look.lit && flat ? 1 : 0);
   program.set("has_colours", g.colours.empty() ? 0 : 1);
-  program.set("own_colour", !look.lit ? glm::vec3(1) : flat ? look.diffuse : look.emissive);
+  program.set("own_colour", flat ? look.diffuse : look.emissive);
   program.set("specular", look.specular);
   program.set("emissive", look.emissive);
   program.set("ambient_intensity", look.ambient_intensity);

@@ -15,6 +15,7 @@ namespace afx::render {
 namespace {
 
 constexpr double kBulge = 0.5;          // a part of the node's shortest side; see renderer.h
+constexpr float kRounding = 1e-3F;      // of depths, as a part of a radius
 constexpr float kLeastStretch = 0.25F;  // a disc nearer to the eye is not bounded closely
 constexpr double kMostFloat = 1e12, kLeastFloat = 1e-12;  // these and their squares are floats
 
@@ -122,7 +123,7 @@ void OctreeView::project_tilted(const glm::dvec3& centre, const glm::dvec3& norm
   out.ny[i] = static_cast<float>(normal.y);
   out.nz[i] = static_cast<float>(normal.z);
   const double steep = std::max(0.0, 1 - normal.z * normal.z);
-  out.nearest[i] = static_cast<float>(distance - radius * std::sqrt(steep));
+  out.nearest[i] = static_cast<float>(distance - radius * (std::sqrt(steep) + double{kRounding}));
 }
 
 void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Facet& facet,
@@ -151,8 +152,9 @@ void OctreeView::project_exactly(const glm::dvec3& centre, const VoxelTree::Face
 bool OctreeView::is_far(const glm::dvec3& parent, unsigned level) const {
   const Size& size = sizes_[level];
   const double distance = -parent.z;
-  return distance > kFarAway * size.reach && distance - 4 * size.reach > lens_.near_plane &&
-         distance < kMostFloat && distance > kLeastFloat && size.reach > kLeastFloat &&
+  return distance > kFarAway * std::max(size.reach, disc_reach(level)) &&
+         distance - 4 * size.reach > lens_.near_plane && distance < kMostFloat &&
+         distance > kLeastFloat && size.reach > kLeastFloat &&
          std::abs(parent.x) + std::abs(parent.y) < kMostFloat && lens_.focal < kMostFloat &&
          lens_.focal > kLeastFloat;
 }
@@ -212,7 +214,7 @@ AFX_PART_OF_CALLER void OctreeView::project_far(const glm::dvec3& centre, const 
     const float radius = std::max(facet_radius, kLeastRadius / zoom);
     const float steep = std::max(0.0F, 1 - out.nz[i] * out.nz[i]);
     out.radius[i] = radius;
-    out.nearest[i] = out.depth[i] - radius * std::sqrt(steep);
+    out.nearest[i] = out.depth[i] - radius * (std::sqrt(steep) + kRounding);
     out.reach[i] = radius * zoom;
     if (kPerspective)
       out.reach[i] *=
@@ -337,17 +339,18 @@ glm::vec3 OctreeView::light(unsigned level, uint32_t number, const SideWeights& 
 /// Discs of descendants have their centres in the node, and are not larger than those of the level
 /// after next, if the next is not drawn itself. A ball of radius r at distance d, its nearest point
 /// d - r away, reaches on the screen at most r sqrt(1 + x^2 + y^2) / (d - r) from its centre at the
-/// slopes x, y.
+/// slopes x, y. No disc is smaller than kLeastRadius.
 OctreeView::Bound OctreeView::bound(const glm::dvec3& centre, unsigned level) const {
   const Size& size = sizes_[level];
   const unsigned finer = is_last(level + 1, centre) ? level + 1 : level + 2;
   const Size& next = sizes_[finer];
   constexpr float kNoBound = std::numeric_limits<float>::infinity();
   const double distance = -centre.z;
-  const double reach = (size.reach + disc_reach(finer)) * 1.001;
-  const auto depth = static_cast<float>(
-      (distance - size.half_depth - next.radius - static_cast<double>(next.tolerance)) *
-      (1 - 1e-6));
+  const double least = double{kLeastRadius} / lens_.zoom_at(std::max(distance + size.reach, 0.0));
+  const double reach = (size.reach + std::max(disc_reach(finer), least)) * 1.001;
+  const auto depth = static_cast<float>((distance - size.half_depth - std::max(next.radius, least) -
+                                         static_cast<double>(next.tolerance)) *
+                                        (1 - 1e-6));
   if (distance + size.half_depth < lens_.near_plane) return {0, 0, -kNoBound, kNoBound};
   if (!lens_.perspective) {
     const glm::dvec2 at = lens_.place(centre);

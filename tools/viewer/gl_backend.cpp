@@ -22,8 +22,10 @@ Status GlBackend::make_ready(const Wanted& wanted) {
     parts_->renderer = std::move(made).value();
   }
   if (parts_->model == wanted.model) return {};
+  parts_->model = nullptr;
+  if (Status set = parts_->renderer->set_scene(wanted.model->scene); !set.ok()) return set;
   parts_->model = wanted.model;
-  return parts_->renderer->set_scene(wanted.model->scene);
+  return {};
 }
 
 Status GlBackend::present(const Wanted& wanted, unsigned samples) {

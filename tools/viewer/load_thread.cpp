@@ -35,7 +35,14 @@ void LoadThread::load(const std::string& file) {
   shared_->next = file;
   if (!shared_->doing.empty()) return;
   shared_->doing = "opening " + file;
-  std::thread([shared = shared_] { run(shared); }).detach();
+  try {
+    std::thread([shared = shared_] { run(shared); }).detach();
+  } catch (const std::system_error&) {  // no more threads are to be had
+    shared_->doing.clear();
+    shared_->next.reset();
+    shared_->loaded = Loaded{
+        file, Error{Errc::no_memory, Place::none(), "no thread can be had to read it", {}, file}};
+  }
 }
 
 void LoadThread::run(const std::shared_ptr<Shared>& shared) {
@@ -53,6 +60,8 @@ void LoadThread::run(const std::shared_ptr<Shared>& shared) {
     try {
       model = shared->host.load(file, doing);
     } catch (const std::bad_alloc&) {  // at the end of a thread nobody else would catch it
+    } catch (const std::exception& error) {
+      model = Error{Errc::not_available, Place::none(), error.what(), {}, file};
     }
     lock.lock();
     shared->loaded = Loaded{file, std::move(model)};

@@ -9,11 +9,13 @@
 
 extern "C" __attribute__((visibility("default"))) void afx_viewer_run(
     const afx::tools::ViewerHost* host, afx::tools::ViewerEnd* end) {
+  std::unique_ptr<afx::tools::Viewer> viewer;
   try {
-    auto viewer = std::make_unique<afx::tools::Viewer>(*host);
+    viewer = std::make_unique<afx::tools::Viewer>(*host);
     viewer->run(*end);
-    if (end->still_working) (void)viewer.release();  // threads need it to the last
   } catch (const std::exception& error) {
     end->status = afx::Error{afx::Errc::no_memory, afx::Place::none(), error.what()};
+    end->still_working = viewer != nullptr;  // its threads may be
   }
+  if (end->still_working) (void)viewer.release();  // threads need it to the last
 }
