@@ -17,17 +17,20 @@ namespace afx {
 struct VoxelSurface {
   std::vector<glm::vec3> normals;  ///< outwards, of length 1; (0, 0, 0) where none is known
   /// How far above the voxel's centre along its normal the surface lies, in voxel sides: as high as
-  /// the mean of its neighbours' centres, but inside the voxel.
+  /// the mean of the centres of the voxel and its neighbours, but inside the voxel. Reckoned in
+  /// floats: beyond level 17 or so it is rough.
   std::vector<float> heights;
-  /// The number of the voxel that is seen in the place of this one: the next or next but one in the
-  /// direction of its normal, if there is any, else itself. Surfaces are often two voxels thick;
-  /// the colour of the lower one nobody has seen, and it should not show where both are drawn.
+  /// The number of the voxel that is seen in the place of this one: the next in the direction of
+  /// its normal, or the next after that as that one's normal says, if there are any, else itself.
+  /// Surfaces are often two voxels thick; the colour of the lower one nobody has seen, and it
+  /// should not show where both are drawn.
   std::vector<uint32_t> seen;
 };
 
 /// The surface through the voxels given as ascending Morton codes: normals as surface_normals has
 /// them (voxel_shading.h).
 ///
+/// level     of the voxels, at most codec::kMortonLevels
 /// blocks    of these codes
 /// threads   0 = all cores; the result is the same for any number
 VoxelSurface voxel_surface(std::span<const uint64_t> codes, unsigned level,

@@ -25,9 +25,9 @@ class GlTree {
   [[nodiscard]] const std::shared_ptr<const VoxelTree>& tree() const { return tree_; }
   /// Memory that it takes once all levels are uploaded.
   [[nodiscard]] static uint64_t bytes(const VoxelTree& tree);
-  /// Makes a level the current vertex array; with `first` >= 0 one whose instances are the nodes
-  /// from that one on.
+  /// Makes a level the current vertex array, a vertex for each node.
   void bind_points(unsigned level);
+  /// The same with an instance for each node from number `first` on.
   void bind_quads(unsigned level, int32_t first);
 
  private:
