@@ -119,7 +119,7 @@ class Renderer {
 
 /// Draws on the CPU: the reference for every other renderer. Needs nothing; the picture is the same
 /// on every machine. Time grows with the pixels that are covered and with the surfels; of octrees
-/// what is hidden or out of view is passed over in whole subtrees. Memory is at most 88 bytes a
+/// what is hidden or out of view is passed over in whole subtrees. Memory is at most 104 bytes a
 /// surfel, 24 a position and 32 a triangle, line or point of a shape, 16 / 3 a pixel of a texture,
 /// and some 16 a pixel.
 [[nodiscard]] std::unique_ptr<Renderer> make_software_renderer(const Limits& limits = {});

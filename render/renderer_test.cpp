@@ -21,18 +21,6 @@ TestModel one_voxel(unsigned level = 0, Voxel v = {0, 0, 0}) {
   return maker.make();
 }
 
-Camera front(double view_height) {
-  return {.position = {0, 0, 10},
-          .projection = Projection::orthographic,
-          .view_height = view_height,
-          .near_plane = 0.1};
-}
-
-Rgba8 at(const RenderedImage& image, uint32_t x, uint32_t y) {
-  const uint8_t* p = image.picture.pixel(x, y);
-  return {p[0], p[1], p[2], p[3]};
-}
-
 TEST(Render, OneVoxelIsADiscOfItsProjectedDiagonal) {
   RenderOptions options{.width = 200, .height = 200, .splat_scale = 1, .samples = 4, .depth = true};
   // 50 pixels a unit; seen from the front the diagonals of the unit cube project to sqrt 2.

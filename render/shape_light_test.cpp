@@ -13,18 +13,6 @@
 namespace afx::render {
 namespace {
 
-Camera front(double view_height) {
-  return {.position = {0, 0, 10},
-          .projection = Projection::orthographic,
-          .view_height = view_height,
-          .near_plane = 0.1};
-}
-
-Rgba8 at(const RenderedImage& image, uint32_t x, uint32_t y) {
-  const uint8_t* p = image.picture.pixel(x, y);
-  return {p[0], p[1], p[2], p[3]};
-}
-
 const RenderOptions kSmall{.width = 40, .height = 40};
 
 /// A picture of 2 x 2 pixels: upper row red, green, lower row blue, white.

@@ -19,18 +19,6 @@ const glm::vec3 kRedLight(1, 0, 0), kGreenLight(0, 1, 0), kBlueLight(0, 0, 1);
 
 Scene scene_of(std::vector<Shape> shapes) { return {.shapes = std::move(shapes)}; }
 
-Camera front(double view_height) {
-  return {.position = {0, 0, 10},
-          .projection = Projection::orthographic,
-          .view_height = view_height,
-          .near_plane = 0.1};
-}
-
-Rgba8 at(const RenderedImage& image, uint32_t x, uint32_t y) {
-  const uint8_t* p = image.picture.pixel(x, y);
-  return {p[0], p[1], p[2], p[3]};
-}
-
 TEST(Shapes, ASquareHasItsExactAreaColourAndDepth) {
   const Scene scene = scene_of({shape_of(square(1, 0.5), glowing(kRedLight))});
   for (const unsigned samples : {1U, 3U, 8U}) {

@@ -41,16 +41,12 @@ uint64_t shape_bytes(const Scene& scene) {
 
 /// Splats of surfels with one to four places in cells, shapes, and the picture.
 Status check_memory(const Scene& scene, const RenderOptions& options, const Limits& limits) {
-  // Each cloud of surfels counts for itself what lies in each cell (SplatTiles).
-  const TileGrid grid(options);
-  const uint64_t clouds =
-      uint64_t{scene.surfels.size()} * grid.columns * grid.rows * 2 * sizeof(uint32_t) +
-      scene.voxels.size() * codec::kMortonLevels * sizeof(OctreeView::Size);
+  const uint64_t clouds = scene.voxels.size() * codec::kMortonLevels * sizeof(OctreeView::Size);
   uint64_t surfels = 0;
   for (const SurfelCloud& cloud : scene.surfels) surfels += cloud.surfels->size();
   const uint64_t pixels = uint64_t{options.width} * options.height;
-  const uint64_t bytes = clouds + surfels * (sizeof(Splat) + 16 + sizeof(Slant)) +
-                         shape_bytes(scene) + pixels * (options.depth ? 8 : 4);
+  const uint64_t bytes = clouds + surfels * (SplatTiles::kBytes + 16) + shape_bytes(scene) +
+                         pixels * (options.depth ? 8 : 4);
   if (bytes <= limits.memory && pixels <= limits.picture_pixels) return {};
   return Error{Errc::limit_exceeded, Place::none(),
                "drawing " + std::to_string(surfels) + " surfels and " +

@@ -8,21 +8,6 @@
 
 namespace afx::render {
 
-/// The surfels of the tile, the largest first; without those that share its cell only.
-void TilePainter::collect_surfels(uint32_t column, uint32_t row) {
-  surfels_.clear();
-  const auto side = static_cast<float>(samples_.side);
-  const SplatTiles& tiles = frame_.surfels;
-  for (uint32_t level = tiles.levels(); level-- > 0;) {
-    for (const uint32_t number : tiles.around(level, column, row)) {
-      const Splat& s = tiles.splat(number);
-      if (s.x + s.reach_x >= samples_.left && s.x - s.reach_x <= samples_.left + side &&
-          s.y + s.reach_y >= samples_.top && s.y - s.reach_y <= samples_.top + side)
-        surfels_.push_back(number);
-    }
-  }
-}
-
 void TilePainter::lay_octrees() {
   voxels_.clear();
   for (const OctreeView& view : frame_.octrees) {
@@ -53,8 +38,8 @@ void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) {
 void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
   samples_.clear(column, row);
   shapes_.lay_walls(column, row, samples_);
-  collect_surfels(column, row);
   const SplatTiles& tiles = frame_.surfels;
+  tiles.collect(column, row, surfels_);
   for (const uint32_t i : surfels_)
     painter_.lay_surfel_depth(tiles.splat(i), tiles.slant(i), samples_);
   lay_octrees();

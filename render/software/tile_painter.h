@@ -28,7 +28,6 @@ class TilePainter {
   void paint(uint32_t column, uint32_t row, RenderedImage& image);
 
  private:
-  void collect_surfels(uint32_t column, uint32_t row);
   void lay_octrees();
   void resolve(uint32_t x, uint32_t y, RenderedImage& image);
 
