@@ -3,6 +3,7 @@
 #include "render/gl/gl_target.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 namespace afx::render {
@@ -16,10 +17,6 @@ GlTexture texture(GLenum inner, GLenum format, GLenum type, GLsizei width, GLsiz
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return made;
-}
-
-void attach(GLenum place, const GlTexture& to) {
-  glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D, to.id(), 0);
 }
 
 void bind(GLenum unit, const GlTexture& to) {
@@ -40,7 +37,17 @@ void clear_depths() {
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
-Status check_framebuffer() {
+struct Attachment {
+  GLenum place;
+  const GlTexture& texture;
+};
+
+/// Makes a framebuffer of these. Errors  not_available: OpenGL cannot draw into it
+Status make(GlFramebuffer& framebuffer, std::initializer_list<Attachment> attachments) {
+  framebuffer = GlFramebuffer::make();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  for (const Attachment& one : attachments)
+    glFramebufferTexture2D(GL_FRAMEBUFFER, one.place, GL_TEXTURE_2D, one.texture.id(), 0);
   if (Status s = check_gl("making textures to draw into"); !s.ok()) return s;
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return {};
   return Error{Errc::not_available, Place::none(),
@@ -62,6 +69,12 @@ Status GlTarget::reserve(uint32_t width, uint32_t height, unsigned samples, bool
   const auto columns = static_cast<GLsizei>(width), rows = static_cast<GLsizei>(height);
   const GLsizei wide = columns * static_cast<GLsizei>(samples);
   const GLsizei high = rows * static_cast<GLsizei>(samples);
+  const Status status = grow(wide, high, columns, rows, layers);
+  if (!status.ok()) width_ = height_ = columns_ = rows_ = 0;  // all is made anew the next time
+  return status;
+}
+
+Status GlTarget::grow(GLsizei wide, GLsizei high, GLsizei columns, GLsizei rows, bool layers) {
   if (wide > width_ || high > height_) {
     width_ = std::max(width_, wide);
     height_ = std::max(height_, high);
@@ -81,41 +94,25 @@ Status GlTarget::reserve(uint32_t width, uint32_t height, unsigned samples, bool
 Status GlTarget::make_samples() {
   sums_ = texture(GL_RGBA32F, GL_RGBA, GL_FLOAT, width_, height_);
   depths_ = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width_, height_);
-  samples_ = GlFramebuffer::make();
-  glBindFramebuffer(GL_FRAMEBUFFER, samples_.id());
-  attach(GL_COLOR_ATTACHMENT0, sums_);
-  attach(GL_DEPTH_ATTACHMENT, depths_);
-  return check_framebuffer();
+  return make(samples_, {{GL_COLOR_ATTACHMENT0, sums_}, {GL_DEPTH_ATTACHMENT, depths_}});
 }
 
 Status GlTarget::make_layers() {
   wall_colours_ = texture(GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width_, height_);
   wall_depths_ = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, width_, height_);
   finished_ = texture(GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, width_, height_);
-  walls_ = GlFramebuffer::make();
-  glBindFramebuffer(GL_FRAMEBUFFER, walls_.id());
-  attach(GL_COLOR_ATTACHMENT0, wall_colours_);
-  attach(GL_DEPTH_ATTACHMENT, wall_depths_);
-  if (Status s = check_framebuffer(); !s.ok()) return s;
-  finish_ = GlFramebuffer::make();  // without depths, which are looked up meanwhile
-  glBindFramebuffer(GL_FRAMEBUFFER, finish_.id());
-  attach(GL_COLOR_ATTACHMENT0, finished_);
-  if (Status s = check_framebuffer(); !s.ok()) return s;
-  glass_ = GlFramebuffer::make();
-  glBindFramebuffer(GL_FRAMEBUFFER, glass_.id());
-  attach(GL_COLOR_ATTACHMENT0, finished_);
-  attach(GL_DEPTH_ATTACHMENT, depths_);
-  return check_framebuffer();
+  Status status =
+      make(walls_, {{GL_COLOR_ATTACHMENT0, wall_colours_}, {GL_DEPTH_ATTACHMENT, wall_depths_}});
+  // Without depths, which are looked up meanwhile.
+  if (status.ok()) status = make(finish_, {{GL_COLOR_ATTACHMENT0, finished_}});
+  if (!status.ok()) return status;
+  return make(glass_, {{GL_COLOR_ATTACHMENT0, finished_}, {GL_DEPTH_ATTACHMENT, depths_}});
 }
 
 Status GlTarget::make_pixels() {
   colours_ = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, columns_, rows_);
   nearest_ = texture(GL_R32F, GL_RED, GL_FLOAT, columns_, rows_);
-  pixels_ = GlFramebuffer::make();
-  glBindFramebuffer(GL_FRAMEBUFFER, pixels_.id());
-  attach(GL_COLOR_ATTACHMENT0, colours_);
-  attach(GL_COLOR_ATTACHMENT1, nearest_);
-  return check_framebuffer();
+  return make(pixels_, {{GL_COLOR_ATTACHMENT0, colours_}, {GL_COLOR_ATTACHMENT1, nearest_}});
 }
 
 void GlTarget::begin_walls() const {

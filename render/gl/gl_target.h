@@ -44,6 +44,7 @@ class GlTarget {
   void read(const GlTile& tile, RenderedImage& image) const;
 
  private:
+  Status grow(GLsizei wide, GLsizei high, GLsizei columns, GLsizei rows, bool layers);
   Status make_samples();
   Status make_layers();
   Status make_pixels();
