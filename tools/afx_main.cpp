@@ -18,9 +18,9 @@
 namespace afx::tools {
 namespace {
 
-constexpr void (*kCommands[])(CLI::App&, Session&) = {add_build,   add_encode,    add_decode,
-                                                      add_info,    add_trace,     add_render,
-                                                      add_view,    add_compare,   add_completion};
+constexpr void (*kCommands[])(CLI::App&, Session&) = {add_build, add_encode,  add_decode,
+                                                      add_info,  add_trace,   add_render,
+                                                      add_view,  add_compare, add_completion};
 /// Commands that are promised, but not in this build.
 constexpr const char* kLaterCommands[] = {"conformance"};
 

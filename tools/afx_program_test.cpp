@@ -31,7 +31,8 @@ TEST_F(Program, HelpAndVersionAreInstant) {
 
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
   EXPECT_THAT(run("--version").out, MatchesRegex("afx [0-9.]+\n"));
-  for (const char* command : {"build", "encode", "decode", "info", "trace", "render", "view", "compare"}) {
+  for (const char* command :
+       {"build", "encode", "decode", "info", "trace", "render", "view", "compare"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_THAT(help.out, HasSubstr("--json")) << command;

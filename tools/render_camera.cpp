@@ -205,7 +205,7 @@ int choose_camera(const CameraOptions& options, const Sight& sight, double aspec
   } else if (!options.viewpoint.empty()) {
     const auto viewpoint = pick_viewpoint(sight.viewpoints, options.viewpoint);
     if (!viewpoint.ok()) return session.usage(to_string(viewpoint.error(), input));
-    place_at(viewpoint.value(), aspect, camera);
+    place_at(sight.viewpoints[viewpoint.value()], aspect, camera);
   } else {
     camera.field_of_view = render::View().field_of_view;
     if (const int code = place_by_numbers(options, sight, session, camera); code != kDone)

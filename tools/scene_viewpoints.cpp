@@ -23,14 +23,13 @@ std::string listed(const std::vector<Viewpoint>& viewpoints) {
 
 }  // namespace
 
-Result<Viewpoint> pick_viewpoint(const std::vector<Viewpoint>& viewpoints,
-                                 const std::string& name) {
-  for (const Viewpoint& one : viewpoints)
-    if (!one.name.empty() && one.name == name) return one;
-  for (const Viewpoint& one : viewpoints)
-    if (!one.description.empty() && one.description == name) return one;
+Result<size_t> pick_viewpoint(const std::vector<Viewpoint>& viewpoints, const std::string& name) {
   for (size_t i = 0; i < viewpoints.size(); ++i)
-    if (std::to_string(i + 1) == name) return viewpoints[i];
+    if (!name.empty() && viewpoints[i].name == name) return i;
+  for (size_t i = 0; i < viewpoints.size(); ++i)
+    if (!name.empty() && viewpoints[i].description == name) return i;
+  for (size_t i = 0; i < viewpoints.size(); ++i)
+    if (std::to_string(i + 1) == name) return i;
   if (viewpoints.empty())
     return Error{Errc::bad_argument, Place::none(),
                  "there is no viewpoint '" + name + "' (the scene has none)"};

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 
 namespace afx::tools {
 
-/// Picks one by its DEF name, its description or, where it has neither of that, its number from 1.
+/// The place in the list of the one that has that DEF name, else that description, else that number
+/// from 1.
 /// Errors  bad_argument: there is none; the text lists those there are and offers the nearest
-Result<Viewpoint> pick_viewpoint(const std::vector<Viewpoint>& viewpoints, const std::string& name);
+Result<size_t> pick_viewpoint(const std::vector<Viewpoint>& viewpoints, const std::string& name);
 
 }  // namespace afx::tools

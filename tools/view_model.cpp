@@ -3,7 +3,6 @@
 #include "tools/view_model.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -12,6 +11,7 @@
 #include "tools/drawing.h"
 #include "tools/input.h"
 #include "tools/model_input.h"
+#include "tools/scene_viewpoints.h"
 
 namespace afx::tools {
 namespace {
@@ -52,21 +52,6 @@ void add_camera(const glm::dmat4& to_world, const glm::dvec3& position,
   if (seen && wide && is_finite(camera.position)) cameras.push_back(camera);
 }
 
-Result<size_t> find_viewpoint(const std::vector<Viewpoint>& viewpoints, const std::string& wanted) {
-  size_t number = 0;
-  const auto parsed = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  const bool is_number = parsed.ec == std::errc() && parsed.ptr == wanted.data() + wanted.size();
-  if (is_number && number >= 1 && number <= viewpoints.size()) return number;
-  for (size_t i = 0; i < viewpoints.size(); ++i)
-    if (viewpoints[i].name == wanted || viewpoints[i].description == wanted) return i + 1;
-  std::string expected =
-      viewpoints.empty() ? "a scene with viewpoints" : "1 to " + std::to_string(viewpoints.size());
-  for (const Viewpoint& viewpoint : viewpoints)
-    if (!viewpoint.name.empty() && expected.size() < 200) expected += ", " + viewpoint.name;
-  return Error{Errc::bad_argument, Place::none(),
-               "there is no viewpoint '" + wanted + "' (expected " + expected + ")"};
-}
-
 /// Reads the input into `drawing`; errors with the file.
 Status read_into(Input input, ViewQuery& query, const Session& session, Diagnostics& diagnostics,
                  Drawing& drawing) {
@@ -105,16 +90,17 @@ Result<std::shared_ptr<const ViewerModel>> load_view_model(
   const Status read = read_into(std::move(input).value(), query, session, diagnostics, drawing);
   if (!read.ok()) return in_file(read.error(), path);
   out->viewpoints = drawing.viewpoints();
-  out->viewpoints.resize(std::min(out->viewpoints.size(), kMostViewpoints));
   out->cameras = reference_cameras(drawing.cameras());
   if (!query.viewpoint.empty()) {
-    const auto found = find_viewpoint(out->viewpoints, query.viewpoint);
+    const auto found = pick_viewpoint(out->viewpoints, query.viewpoint);
     query.is_usage = !found.ok();
     if (!found.ok()) return found.error();
-    out->first_viewpoint = found.value();
+    out->first_viewpoint = found.value() + 1;
   } else if (!out->viewpoints.empty()) {
     out->first_viewpoint = 1;
   }
+  out->viewpoints.resize(
+      std::min(out->viewpoints.size(), std::max(kMostViewpoints, out->first_viewpoint)));
   doing("making " + file_name(path) + " ready to be drawn");
   auto scene = drawing.scene();
   if (!scene.ok()) return in_file(std::move(scene).error(), path);
