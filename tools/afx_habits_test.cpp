@@ -87,6 +87,9 @@ TEST_F(Program, EncodeNamesTheInputThatIsWrong) {
 TEST_F(Program, MistypedWordsAreNamed) {
   EXPECT_EQ(run("decod x").err,
             "afx: there is no command 'decod' (did you mean 'decode'?) (see 'afx --help')\n");
+  EXPECT_EQ(run("render x.wrl -o x.png --bakend gl").err,
+            "afx: there is no option '--bakend' (did you mean '--backend'?) (see 'afx render "
+            "--help')\n");
   EXPECT_EQ(run("decod x").code, 2);
   EXPECT_EQ(run("view x.wrl").code, 1);
   EXPECT_EQ(run("conformance x").code, 1);

@@ -4,14 +4,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <iostream>
 #include <new>
-#include <numeric>
+#include <string>
 
 #include "afx/file.h"
+#include "nodes/nearest_name.h"
 #include "tools/commands.h"
 #include "tools/session.h"
 
@@ -53,41 +53,20 @@ void catch_interrupts() {
   std::signal(SIGPIPE, SIG_IGN);  // writing reports it
 }
 
-/// How many letters must be changed, added or left out to get from one word to the other.
-size_t distance(const std::string& a, const std::string& b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t{0});
-  for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = row[0];
-    row[0] = i;
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 /// Looks at the command's name; returns an exit code. (The parser would call a mistyped one an
 /// argument that was not expected.)
 int check_command(const CLI::App& program, const std::string& name, const Session& session) {
-  std::string nearest;
-  size_t least = 3;  // further away it is no slip
+  nodes::NearestName nearest(name);
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    const size_t away = distance(name, command->get_name());
-    if (away == 0) return kDone;
-    if (away >= std::min(least, name.size())) continue;
-    least = away;
-    nearest = command->get_name();
+    if (name == command->get_name()) return kDone;
+    nearest.offer(command->get_name());
   }
   for (const char* later : kLaterCommands) {
     if (name != later) continue;
     return session.fail({Errc::not_available, Place::none(),
                          "the command '" + name + "' is not in this build (see 'afx --help')"});
   }
-  return session.usage("there is no command '" + name + "'" +
-                       (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)"));
+  return session.usage("there is no command '" + name + "'" + nearest.hint());
 }
 
 /// What was printed to standard output must have got there.
@@ -97,11 +76,27 @@ int check_standard_output(const Session& session, int code) {
   return session.fail({Errc::io, Place::none(), "standard output could not be written"});
 }
 
+/// What the parser could not place: an option that is mistyped, or a word too many.
+std::string unexpected(const CLI::App& command, const CLI::ParseError& error) {
+  for (const std::string& word : command.remaining()) {
+    if (word.size() < 2 || word[0] != '-') continue;
+    nodes::NearestName nearest(word);
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& name : option->get_lnames()) nearest.offer("--" + name);
+    return "there is no option '" + word + "'" + nearest.hint();
+  }
+  return error.what();
+}
+
 int report_parse(const CLI::App& program, const CLI::ParseError& error, Session& session) {
   if (error.get_exit_code() == 0)  // --help, --version
     return check_standard_output(session, program.exit(error));
-  for (const CLI::App* sub : program.get_subcommands()) session.command = sub->get_name();
-  return session.usage(error.what());
+  std::string text = error.what();
+  for (const CLI::App* sub : program.get_subcommands()) {
+    session.command = sub->get_name();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) text = unexpected(*sub, error);
+  }
+  return session.usage(text);
 }
 
 int run(int argc, char** argv) {
