@@ -40,6 +40,9 @@ TEST(Layers, NoFileIncludesAFolderAboveItsOwn) {
         const auto target = kRank.find(match[2]);
         ASSERT_NE(target, kRank.end()) << entry.path() << ": " << line;
         EXPECT_LE(target->second, rank) << entry.path() << ": " << line;
+        const bool gl = entry.path().string().find("render/gl/") != std::string::npos;
+        EXPECT_FALSE(gl && match[1].str().starts_with("render/software/"))
+            << entry.path() << ": " << line << " (renderers do not know each other)";
         const bool plain = match[1].str().starts_with("codec/plain/");
         const bool own = entry.path().string().find("codec/plain/") != std::string::npos;
         EXPECT_TRUE(!plain || own || is_check(entry.path().filename().string()))

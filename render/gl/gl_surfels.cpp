@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "render/software/surfel_splats.h"
+#include "render/splats.h"
 
 namespace afx::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "render/gl/gl_objects.h"
-#include "render/software/splats.h"
+#include "render/splats.h"
 
 namespace afx::render {
 namespace {

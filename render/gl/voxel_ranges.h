@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "render/gl/gl_view.h"
-#include "render/software/octree_view.h"
+#include "render/octree_view.h"
 
 namespace afx::render {
 

@@ -21,7 +21,7 @@ flat out vec3 light;
 layout(location = 7) in vec3 normal;  // of the facet, parts of 127
 layout(location = 8) in vec3 shift;
 flat out vec4 disc;  // place, depth of the centre, bulge
-flat out vec3 form;  // a, b, c of Tilt (render/software/splats.h), with y upwards
+flat out vec3 form;  // a, b, c of Tilt (render/splats.h), with y upwards
 flat out vec3 lean;  // depth_x, depth_y, nearness
 
 // Of the level of the nodes, the one above it, and that above: a cell near the eye, and the

@@ -7,10 +7,10 @@
 
 #include "render/lens.h"
 #include "render/mip_picture.h"
+#include "render/octree_view.h"
 #include "render/renderer.h"
 #include "render/scene.h"
 #include "render/software/backdrop_painter.h"
-#include "render/software/octree_view.h"
 #include "render/software/shape_tiles.h"
 #include "render/software/splat_tiles.h"
 #include "render/software/tile_samples.h"

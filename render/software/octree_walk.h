@@ -10,10 +10,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/software/octree_view.h"
+#include "render/octree_view.h"
 #include "render/software/splat_painter.h"
-#include "render/software/splats.h"
 #include "render/software/tile_samples.h"
+#include "render/splats.h"
 
 namespace afx::render {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/software/lanes.h"
+#include "render/lanes.h"
 #include "render/software/piece.h"
 #include "render/software/tile_samples.h"
 

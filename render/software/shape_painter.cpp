@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "render/software/lanes.h"
+#include "render/lanes.h"
 #include "render/software/piece_samples.h"
 
 namespace afx::render {

@@ -4,9 +4,9 @@
 // Lays splats into the samples of a tile: first all their depths, then their colours.
 #pragma once
 
-#include "render/software/splats.h"
 #include "render/software/surfel_splats.h"
 #include "render/software/tile_samples.h"
+#include "render/splats.h"
 
 namespace afx::render {
 

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "render/software/lanes.h"
-#include "render/software/splats.h"
+#include "render/lanes.h"
 #include "render/software/surfel_splats.h"
+#include "render/splats.h"
 
 namespace afx::render {
 

@@ -12,13 +12,9 @@
 
 #include "render/lens.h"
 #include "render/scene.h"
-#include "render/software/splats.h"
+#include "render/splats.h"
 
 namespace afx::render {
-
-/// How much longer the sides of a surfel are drawn than they are, at splat scale 1: so neighbours
-/// that do not quite meet leave no gap.
-inline constexpr double kSurfelMargin = 1.1;
 
 /// What makes a splat a parallelogram in space instead of a disc: s and t, which run from -1 to 1
 /// over it, and its depth at an offset (x, y) from its place, in samples. With

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
+//
+// Numbers that all renderers draw splats by.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -36,5 +38,9 @@ inline constexpr double kMostRadius = 1e18;
 /// The tolerance of a splat, as a part of the shortest side of its voxel or surfel; see renderer.h.
 inline constexpr double kVoxelTolerance = 0.25;
 inline constexpr double kSurfelTolerance = 0.4;
+
+/// How much longer the sides of a surfel are drawn than they are, at splat scale 1: so neighbours
+/// that do not quite meet leave no gap.
+inline constexpr double kSurfelMargin = 1.1;
 
 }  // namespace afx::render

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
-#include "render/software/octree_view.h"
+#include "render/octree_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "afx/srgb.h"
-#include "render/software/lanes.h"
+#include "render/lanes.h"
 
 namespace afx::render {
 namespace {

@@ -14,7 +14,7 @@
 #include "render/lens.h"
 #include "render/renderer.h"
 #include "render/scene.h"
-#include "render/software/splats.h"
+#include "render/splats.h"
 
 namespace afx::render {
 
