@@ -18,12 +18,9 @@
 namespace afx::tools {
 namespace {
 
-constexpr void (*kCommands[])(CLI::App&, Session&) = {add_build, add_encode,  add_decode,
-                                                      add_info,  add_trace,   add_render,
-                                                      add_view,  add_compare, add_completion};
-/// Commands that are promised, but not in this build.
-constexpr const char* kLaterCommands[] = {"conformance"};
-
+constexpr void (*kCommands[])(CLI::App&, Session&) = {
+    add_build,  add_encode, add_decode,  add_info,        add_trace,
+    add_render, add_view,   add_compare, add_conformance, add_completion};
 extern "C" void on_interrupt(int /*signal*/) {
   remove_temporary_files();
   _exit(kInterrupted);
@@ -60,11 +57,6 @@ int check_command(const CLI::App& program, const std::string& name, const Sessio
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     if (name == command->get_name()) return kDone;
     nearest.offer(command->get_name());
-  }
-  for (const char* later : kLaterCommands) {
-    if (name != later) continue;
-    return session.fail({Errc::not_available, Place::none(),
-                         "the command '" + name + "' is not in this build (see 'afx --help')"});
   }
   return session.usage("there is no command '" + name + "'" + nearest.hint());
 }

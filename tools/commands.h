@@ -21,6 +21,7 @@ void add_trace(CLI::App& program, Session& session);
 void add_render(CLI::App& program, Session& session);
 void add_view(CLI::App& program, Session& session);
 void add_compare(CLI::App& program, Session& session);
+void add_conformance(CLI::App& program, Session& session);
 void add_completion(CLI::App& program, Session& session);
 
 }  // namespace afx::tools
