@@ -12,6 +12,7 @@
 #include "conformance/suite_files.h"
 #include "tools/commands.h"
 #include "tools/formats.h"
+#include "tools/locate_value.h"
 #include "tools/own_decoder.h"
 #include "tools/progress_bar.h"
 #include "tools/session.h"
@@ -130,10 +131,14 @@ int run_conformance(const ConformanceOptions& options, const Session& session) {
   if (!rules.ok()) return session.fail(rules.error());
   const auto decoder = make_decoder(options, session);
   ProgressBar bar(session.options.progress, session.options.quiet);
-  const conformance::RunOptions how{.filter = options.filter,
-                                    .jobs = session.options.threads,
-                                    .locate = {},
-                                    .progress = [&bar](double done) { bar.show("judging", done); }};
+  const conformance::RunOptions how{
+      .filter = options.filter,
+      .jobs = session.options.threads,
+      .locate =
+          [&session](const conformance::Question& question, const std::string& pointer) {
+            return locate_value(question, pointer, session.limits);
+          },
+      .progress = [&bar](double done) { bar.show("judging", done); }};
   const conformance::Report report = conformance::run_suites(suites.value(), *decoder, how);
   if (report.cases.empty())
     return session.usage("--filter " + options.filter + " fits no case of these suites");

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "conformance/sha256.h"
+#include "tools/program_fixture.h"
+
+namespace afx::tools {
+namespace {
+
+using nlohmann::json;
+
+/// A suite "s" of one case: a stream that is there already, and what it decodes to.
+class ConformanceProgram : public Program {
+ protected:
+  [[nodiscard]] std::string digest(const std::string& name) const {
+    const std::string bytes = read_file(file("s/" + name));
+    return conformance::sha256({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
+  }
+  void make_suite(const std::string& kind, const std::string& form, const json& values) {
+    write_file(file("s/values.json"), values.dump());
+    const json check = {{"check", "decode"},
+                        {"as", form},
+                        {"file", "values.json"},
+                        {"sha256", digest("values.json")}};
+    const json one = {{"name", "one"},
+                      {"about", "a stream"},
+                      {"kind", kind},
+                      {"stream", "one." + kind},
+                      {"sha256", digest("one." + kind)},
+                      {"origin", "us"},
+                      {"expect", {check}}};
+    write_file(file("s/suite.json"),
+               json{{"suite", "small"},
+                    {"title", "Small"},
+                    {"origins", {{"us", {{"text", "a test"}, {"licence", "CC0-1.0"}}}}},
+                    {"cases", {one}}}
+                   .dump());
+  }
+  void SetUp() override {
+    Program::SetUp();
+    fs::create_directory(file("s"));
+    // resolution 2, no images, one frame: a root with the voxel 0, 0, 0 (the README's stream)
+    write_file(file("s/one.octree"), std::string("\x14\x00\x00\x00\x01\xC8\xFE\x40", 8));
+  }
+  json octree_values = {{"octreeResolution", 2},
+                        {"numOfTextures", 0},
+                        {"frames", {{{"octree", {1}}, {"voxelImageIndex", json::array()}}}}};
+};
+
+TEST_F(ConformanceProgram, ASuiteThatHoldsPasses) {
+  make_suite("octree", "octree", octree_values);
+  const Outcome outcome = run("conformance s");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "1 passed, 0 failed, 0 not run\n");
+}
+
+TEST_F(ConformanceProgram, AWrongExpectationFailsWithValuesAndBit) {
+  octree_values["frames"][0]["octree"][0] = 2;
+  make_suite("octree", "octree", octree_values);
+  const Outcome outcome = run("conformance s");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_EQ(
+      outcome.err,
+      "afx: s/one.octree: one: decode as octree failed: /frames/0/octree/0 is 1 (expected 2), "
+      "coded at bit 48\n");
+}
+
+TEST_F(ConformanceProgram, AValueOfASceneIsFoundInTheFile) {
+  fs::copy_file(AFX_SOURCE_DIR "/conformance/mp4/24-commands-basic/scene.mp4", file("s/one.mp4"));
+  ASSERT_EQ(run("decode s/one.mp4 -o values.json").code, 0);
+  json values = json::parse(read_file(file("values.json")));
+  // The trace of access unit 1: Transform.translation of the second insertion is coded at bits 56,
+  // 88 and 120 of the unit.
+  json& y = values["accessUnits"][1]["commands"][1]["value"]["fields"]["translation"][1];
+  ASSERT_EQ(y, 2);
+  y = 3;
+  make_suite("mp4", "commands", values);
+  const std::string unit = read_file(AFX_SOURCE_DIR "/conformance/bifs/24-commands-basic/au1.bifs");
+  const size_t byte = read_file(file("s/one.mp4")).find(unit);
+  ASSERT_NE(byte, std::string::npos);
+  const Outcome outcome = run("conformance s");
+  EXPECT_THAT(outcome.err, HasSubstr("/accessUnits/1/commands/1/value/fields/translation/1 is 2 "
+                                     "(expected 3), coded at bit " +
+                                     std::to_string(byte * 8 + 88) + "\n"));
+}
+
+TEST_F(ConformanceProgram, ReportsAreWrittenInTheFormOfTheirNames) {
+  make_suite("octree", "octree", octree_values);
+  ASSERT_EQ(
+      run("conformance s --report r.html --report r.xml --report r.json --coverage c.html").code,
+      0);
+  EXPECT_THAT(read_file(file("r.html")), HasSubstr("<!DOCTYPE html>"));
+  EXPECT_THAT(read_file(file("r.xml")), HasSubstr("<testcase classname=\"small\" name=\"one\""));
+  EXPECT_EQ(json::parse(read_file(file("r.json"))).at("/cases/passed"_json_pointer), 1);
+  EXPECT_THAT(read_file(file("c.html")), HasSubstr("What the conformance suites cover"));
+  EXPECT_EQ(run("conformance s --report r.xml").code, 1);  // it is there already
+  EXPECT_EQ(run("conformance s --report r.txt").code, 2);
+}
+
+TEST_F(ConformanceProgram, OurOwnDecoderPassesThroughTheDoorOfOthers) {
+  make_suite("octree", "octree", octree_values);
+  const Outcome outcome =
+      run("conformance s --decoder '" AFX_PROGRAM
+          " conformance answer {in} {out} --kind octree --as {as} --levels {levels}'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "1 passed, 0 failed, 0 not run\n");
+}
+
+TEST_F(ConformanceProgram, ADecoderThatCrashesFails) {
+  make_suite("octree", "octree", octree_values);
+  const Outcome outcome = run("conformance s --decoder 'kill -SEGV $$ # {in}'");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("decode as octree failed: it crashed: signal 11"));
+}
+
+TEST_F(ConformanceProgram, WrongCommandLinesAndSuitesAreSaidPlainly) {
+  EXPECT_EQ(run("conformance").code, 2);
+  EXPECT_EQ(run("conformance nowhere").code, 1);
+  EXPECT_EQ(run("conformance s").code, 3);  // no suite.json in it
+  make_suite("octree", "octree", octree_values);
+  EXPECT_EQ(run("conformance s --filter 'x*'").code, 2);
+  EXPECT_EQ(run("conformance s --decoder true").code, 2);
+  write_file(file("s/suite.json"), "{\"suite\": \"x\"}");
+  const Outcome outcome = run("conformance s");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err, "afx: s/suite.json: /title is not there\n");
+}
+
+}  // namespace
+}  // namespace afx::tools
