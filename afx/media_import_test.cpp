@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using Bytes = std::vector<uint8_t>;
 
-const std::string kMp4 = AFX_SOURCE_DIR "/conformance/mp4/";
+const std::string kMp4 = AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/";
 const std::string kOctree = AFX_SOURCE_DIR "/conformance/octree/";
 
 Bytes read_file(const std::string& path) {

@@ -15,7 +15,7 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 
 Bytes read_file(const std::string& name) {
-  std::ifstream in(AFX_SOURCE_DIR "/conformance/mp4/" + name, std::ios::binary);
+  std::ifstream in(AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/" + name, std::ios::binary);
   EXPECT_TRUE(in) << name;
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }

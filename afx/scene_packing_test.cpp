@@ -113,8 +113,8 @@ class ScenePacking : public testing::Test {
     return codes;
   }
   void copy_vectors_picture(const std::string& name, const std::string& as) {
-    const auto file =
-        MappedFile::open(AFX_SOURCE_DIR "/conformance/mp4/02-depthimage-imagetexture/" + name);
+    const auto file = MappedFile::open(
+        AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/02-depthimage-imagetexture/" + name);
     const auto bytes = file.value().bytes();
     folder_.write(as, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }

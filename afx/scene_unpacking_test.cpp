@@ -234,7 +234,8 @@ nodes::Scene vectors_scene(const std::string& folder) {
 }
 
 TEST_F(SceneUnpacking, ThePicturesOfAVectorsFileAreThoseItWasMadeFrom) {
-  const std::string folder = AFX_SOURCE_DIR "/conformance/mp4/02-depthimage-imagetexture";
+  const std::string folder =
+      AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/02-depthimage-imagetexture";
   streams_.clear();
   for (const uint16_t id : std::vector<uint16_t>{10, 11, 12}) {
     auto media = import_media({"scene.mp4#" + std::to_string(id), {}}, folder, {}, diagnostics_);
@@ -258,7 +259,7 @@ TEST_F(SceneUnpacking, ThePicturesOfAVectorsFileAreThoseItWasMadeFrom) {
 }
 
 TEST_F(SceneUnpacking, AVectorsStreamThatIsNoneIsAnErrorThatNamesIt) {
-  const std::string folder = AFX_SOURCE_DIR "/conformance/mp4/14-bitwrapper";
+  const std::string folder = AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/14-bitwrapper";
   streams_.clear();
   streams_.emplace(40, import_media({"scene.mp4#40", {}}, folder, {}, diagnostics_).value());
   scene_ = vectors_scene(folder);
@@ -284,9 +285,9 @@ TEST_F(SceneUnpacking, AnOctreeIsReadFromAStreamWithoutUnpacking) {
 }
 
 TEST_F(SceneUnpacking, PicturesOfAnOctreeAreReadFromStreams) {
-  const auto picture =
-      import_media({"color32.jpg", {}},
-                   AFX_SOURCE_DIR "/conformance/mp4/02-depthimage-imagetexture", {}, diagnostics_);
+  const auto picture = import_media(
+      {"color32.jpg", {}},
+      AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/02-depthimage-imagetexture", {}, diagnostics_);
   streams_.insert_or_assign(7, picture.value());
   read(
       std::string("OctreeImage { octreeResolution 2 octree 1 images DepthImage { diTexture "

@@ -14,7 +14,8 @@ namespace afx::bifs {
 std::string config_json(const BifsConfig& config);
 
 /// Writes commands as JSON text, one object for each, in the form of the project's BIFS vectors
-/// (conformance/bifs/README.md): a node is {"node", "id", "name", "fields"} at its first place and
+/// (conformance/suites/bifs-gpac/README.md): a node is {"node", "id", "name", "fields"} at its
+/// first place and
 /// {"use": id} at later ones, floats are the shortest decimals that read back, infinities and NaN
 /// strings. Commands are given in the order of the stream, before they are applied; one writer for
 /// a stream.

@@ -33,8 +33,8 @@ TEST_P(BifsVectors, TheConfigurationIsWrittenBackToTheSameBytes) {
   const BifsVector vector = load_vector(GetParam());
   const auto written = write_config(vector.config);
   ASSERT_TRUE(written.ok());
-  const auto path =
-      std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs" / GetParam() / "cfg.bin";
+  const auto path = std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac" /
+                    GetParam() / "cfg.bin";
   EXPECT_EQ(written.value(), file_bytes(path));
 }
 

@@ -10,7 +10,8 @@ namespace afx::bifs {
 
 namespace {
 
-/// Vectors whose bits are not those of the values they decode to (conformance/bifs/README.md).
+/// Vectors whose bits are not those of the values they decode to
+/// (conformance/suites/bifs-gpac/README.md).
 constexpr const char* kNotTheSame[] = {
     "18-quant-efficient-float",    // a denormal whose 14 bits are 0 is coded as if it were not 0
     "19-quant-normals-rotations",  // the peer codes the wrong angle

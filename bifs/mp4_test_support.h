@@ -16,7 +16,7 @@
 namespace afx::bifs::mp4_test {
 
 using Bytes = std::vector<uint8_t>;
-inline const std::string kMp4Folder = AFX_SOURCE_DIR "/conformance/mp4/";
+inline const std::string kMp4Folder = AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/";
 
 inline Bytes read_file(const std::string& name) {
   std::ifstream in(kMp4Folder + name, std::ios::binary);

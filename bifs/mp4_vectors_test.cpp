@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// The files of conformance/mp4: what they hold, and that it survives being written.
+// The files of conformance/suites/bifs-gpac: what they hold, and that it survives being written.
 #include "bifs/descriptor_writer.h"
 #include "bifs/mp4_test_support.h"
 #include "bifs/od_command.h"

@@ -29,7 +29,7 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 std::filesystem::path folder_of(const std::string& name) {
-  return std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs" / name;
+  return std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac" / name;
 }
 
 nodes::SceneReadOptions with_files(const std::string& name) {
@@ -152,7 +152,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& vector) {
   return "n" + name;
 }
 
-/// 19: the peer codes the wrong angles (conformance/bifs/README.md).
+/// 19: the peer codes the wrong angles (conformance/suites/bifs-gpac/README.md).
 class EncodedLikeGpac : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(All, EncodedLikeGpac,
                          testing::ValuesIn(vectors_without("19-quant-normals-rotations")),
@@ -182,8 +182,8 @@ TEST_P(EncodedLikeGpac, TheTextGivesTheConfigurationAndTheBitsOfGpac) {
 }
 
 TEST_P(ThroughText, TheJsonOfTheFileIsThatOfTheIndependentReader) {
-  const Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/mp4" /
-                                GetParam() / "scene.mp4");
+  const Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) /
+                                "conformance/suites/bifs-gpac" / GetParam() / "scene.mp4");
   std::string text;
   const nodes::TextSink keep = [&text](std::string_view piece) -> Status {
     text += piece;
@@ -199,8 +199,8 @@ TEST_P(ThroughText, TheJsonOfTheFileIsThatOfTheIndependentReader) {
 
 TEST_P(ThroughText, FromTheSecondTimeOnTheStreamsAreTheSame) {
   const EncodingChoices choices;
-  Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/mp4" / GetParam() /
-                          "scene.mp4");
+  Bytes file = file_bytes(std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac" /
+                          GetParam() / "scene.mp4");
   std::vector<Bytes> files = {file};
   std::vector<std::string> texts;
   for (int round = 0; round < 3; ++round) {

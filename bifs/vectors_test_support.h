@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-2-Clause
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
-// The project's BIFS vectors (conformance/bifs/README.md) for tests.
+// The project's BIFS vectors (conformance/suites/bifs-gpac/README.md) for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ inline const std::vector<std::string>& vector_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(
-             std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs"))
+             std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac"))
       if (entry.is_directory()) found.push_back(entry.path().filename().string());
     std::sort(found.begin(), found.end());
     return found;
@@ -47,7 +47,7 @@ inline const std::vector<std::string>& vector_names() {
 }
 
 inline BifsVector load_vector(const std::string& name) {
-  const auto folder = std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs" / name;
+  const auto folder = std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac" / name;
   BifsVector vector;
   vector.name = name;
   std::ifstream json(folder / "decoded.json");

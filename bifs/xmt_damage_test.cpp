@@ -15,7 +15,8 @@ namespace afx::bifs {
 namespace {
 
 std::string text_of(const std::string& name) {
-  const auto path = std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs" / name / "gpac.xmt";
+  const auto path =
+      std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac" / name / "gpac.xmt";
   const Bytes bytes = file_bytes(path);
   return {bytes.begin(), bytes.end()};
 }

@@ -202,8 +202,8 @@ TEST(XmtUnits, AreOnesOfTheirStreamAndTime) {
 }
 
 TEST(XmtDescriptors, OfAVectorAreRead) {
-  const auto path =
-      std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs/13-media-object-descriptors";
+  const auto path = std::filesystem::path(AFX_SOURCE_DIR) /
+                    "conformance/suites/bifs-gpac/13-media-object-descriptors";
   const Bytes file = file_bytes(path / "gpac.xmt");
   const Presentation presentation = read({file.begin(), file.end()});
   const InitialObjectDescriptor& initial = presentation.initial;

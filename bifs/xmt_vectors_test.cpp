@@ -104,7 +104,7 @@ void decode_into(const BifsVector& vector, PresentationSink& sink) {
 }
 
 std::filesystem::path peer_file(const std::string& name) {
-  return std::filesystem::path(AFX_SOURCE_DIR) / "conformance/bifs" / name / "gpac.xmt";
+  return std::filesystem::path(AFX_SOURCE_DIR) / "conformance/suites/bifs-gpac" / name / "gpac.xmt";
 }
 
 std::string text_of_file(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -25,6 +26,21 @@ inline std::string file_text(const std::filesystem::path& path) {
 
 inline std::filesystem::path source_path(const std::string& name) {
   return std::filesystem::path(AFX_SOURCE_DIR) / name;
+}
+
+/// The texts of conformance/suites/bifs-gpac that are scenes alone, by the name of their folder:
+/// `scene.bt`, or where that has commands or object descriptors too, `plain.bt`.
+inline std::map<std::string, std::string> plain_scenes() {
+  std::map<std::string, std::string> scenes;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(source_path("conformance/suites/bifs-gpac"))) {
+    const bool plain = std::filesystem::exists(entry.path() / "plain.bt");
+    const auto path = entry.path() / (plain ? "plain.bt" : "scene.bt");
+    if (!std::filesystem::exists(path)) continue;
+    std::string text = file_text(path);
+    if (text.find("\nAT ") == std::string::npos) scenes[entry.path().filename()] = std::move(text);
+  }
+  return scenes;
 }
 
 /// The scene of a text that is expected to be good.

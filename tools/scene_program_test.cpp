@@ -8,8 +8,8 @@ namespace afx::tools {
 
 namespace {
 
-const std::string kBifs = AFX_SOURCE_DIR "/conformance/bifs/";
-const std::string kMp4 = AFX_SOURCE_DIR "/conformance/mp4/";
+const std::string kBifs = AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/";
+const std::string kMp4 = AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/";
 
 constexpr const char* kScene =
     "#VRML V2.0 utf8\n"
