@@ -65,7 +65,8 @@ TEST_F(ConformanceProgram, AWrongExpectationFailsWithValuesAndBit) {
 }
 
 TEST_F(ConformanceProgram, AValueOfASceneIsFoundInTheFile) {
-  fs::copy_file(AFX_SOURCE_DIR "/conformance/mp4/24-commands-basic/scene.mp4", file("s/one.mp4"));
+  fs::copy_file(AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/24-commands-basic/scene.mp4",
+                file("s/one.mp4"));
   ASSERT_EQ(run("decode s/one.mp4 -o values.json").code, 0);
   json values = json::parse(read_file(file("values.json")));
   // The trace of access unit 1: Transform.translation of the second insertion is coded at bits 56,
@@ -74,7 +75,8 @@ TEST_F(ConformanceProgram, AValueOfASceneIsFoundInTheFile) {
   ASSERT_EQ(y, 2);
   y = 3;
   make_suite("mp4", "commands", values);
-  const std::string unit = read_file(AFX_SOURCE_DIR "/conformance/bifs/24-commands-basic/au1.bifs");
+  const std::string unit =
+      read_file(AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/24-commands-basic/au1.bifs");
   const size_t byte = read_file(file("s/one.mp4")).find(unit);
   ASSERT_NE(byte, std::string::npos);
   const Outcome outcome = run("conformance s");
