@@ -168,6 +168,24 @@ TEST(BifsErrors, AListOfElementsWithoutBitsIsLimited) {
   EXPECT_EQ(frame.error().code, Errc::limit_exceeded);
 }
 
+TEST(BifsDecoding, ARepeatedFieldOfACommandOverrides) {
+  // Group { children [ DEF 1 Switch { } ] }; MultipleFieldReplacement of whichChoice by 3 and by 5.
+  const Bytes scene = bits("11 000000 0 0  0 001 0 1 1  0 1  0 0 101011 1 00 1 00  1  0 0");
+  const std::string zeros(29, '0');
+  const Bytes command =
+      bits("00 01 00000100 00 0  0 1 " + zeros + "011  0 1 " + zeros + "101  1 0");
+  BifsDecoder decoder(small_config());
+  Diagnostics diagnostics;
+  ASSERT_TRUE(decoder.decode(scene, diagnostics).ok());
+  size_t fields = 0;
+  const auto frame =
+      decoder.decode(command, diagnostics, [&](const Command& one, const nodes::Scene&) {
+        fields = std::get<MultipleFieldReplacement>(one).values.size();
+      });
+  ASSERT_TRUE(frame.ok()) << to_string(frame.error());
+  EXPECT_EQ(fields, 1U);
+}
+
 TEST(BifsErrors, TrailingBytesAreAWarningAndNotUsed) {
   const BifsVector vector = load_vector("36-peer-end-flags");
   Bytes padded = vector.units[0];

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // Source: ISO/IEC 14496-11, SFNode and node descriptions (clauses not checked); spec/bifs.md 6, 7.
+#include <algorithm>
 #include <utility>
 
 #include "bifs/command_codes.h"
@@ -177,9 +178,15 @@ void FrameDecoder::read_field(const NodeDefinition& layout, FieldIndex index,
   if (!ok()) return;
   if (target.node.valid()) {
     state_.scene.set_unchecked(target.node, index, std::move(value));
-  } else {
-    target.entries->push_back({index, std::move(value)});
+    return;
   }
+  std::vector<nodes::FieldEntry>& entries = *target.entries;
+  const auto known = std::find_if(entries.begin(), entries.end(),
+                                  [&](const auto& entry) { return entry.field == index; });
+  if (known != entries.end())
+    known->value = std::move(value);  // a repeated field overrides
+  else
+    entries.push_back({index, std::move(value)});
 }
 
 }  // namespace afx::bifs
