@@ -111,3 +111,8 @@ def plain(value):
         if f32(short) == value:
             return int(short) if short == int(short) and abs(short) < 1e9 else short
     raise ValueError(value)
+
+
+# Those that a field has, or the scene: no other code is ever written.
+CODED_DATA_TYPES = [name for name in DATA_TYPES if name == "SFTopNode" or any(
+    field.data_type == name and field.event in MODES["def"] for node in NODES.values() for field in node.fields)]

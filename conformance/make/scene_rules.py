@@ -252,7 +252,7 @@ def element_rules():
         yield rule("field-type", name, "8", f"Values of the type {name}.")
     for category in CATEGORIES:
         yield rule("quantization", category, "9", f"Quantization of category {category}.")
-    for name in facts.DATA_TYPES:
+    for name in facts.CODED_DATA_TYPES:
         yield rule("data-type", name, "6.2", f"The code tables of {name}.")
     for version in facts.VERSIONS:
         yield rule("version", version, "6.2", f"Nodes of version {version}.")
