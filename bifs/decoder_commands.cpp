@@ -38,11 +38,11 @@ Command FrameDecoder::read_insertion() {
       const Part part(*this, "NodeInsertion");
       NodeInsertion command;
       command.target = read_node_id();
-      command.position = read_position(kNodePositionBits);
       if (!ok()) return command;
       const NodeDefinition& definition = *state_.scene.node(command.target).definition;
       const auto type = definition.insertion_type();
       if (!type) return fail(Errc::malformed, "a " + definition.name + " has no children"), command;
+      command.position = read_position(kNodePositionBits);
       command.node = read_node(*type);
       return command;
     }

@@ -60,6 +60,19 @@ const BadFrame kBadFrames[] = {
      "commandFrame/SceneReplacement: no PROTO has the ID 1"},
     {"a node with the ID of NULL", "11 000000 0 0 0 001 1 11 0 1 0", Errc::malformed, 15,
      "commandFrame/SceneReplacement/Group: the node has the ID that means the NULL node"},
+    {"an insertion into a node without children",
+     "11 000000 0 0 0 001 0 1 1 0 1 0 0 100110 1 00 1 0 0 1 0 1 00 00 00 11", Errc::malformed, 40,
+     "commandFrame/NodeInsertion: a Shape has no children"},
+    {"a script that declares an exposedField",
+     "11 000000 0 0 0 001 0 1 1 0 1 0 0 100101 0 1 1 0 1 0 1 0 11 000000 0", Errc::malformed, 35,
+     "commandFrame/SceneReplacement/Group/children/Script/url/script: a script field of event "
+     "type 3"},
+    {"a quantized normal of no orientation",
+     "11 000000 0 0 0 001 0 1 1 0 1 0 0 100011 0 1 00000000 00000000 00000000 00000000 00000000 00 "
+     "100110 0 1 0 1 0 01001 0 1 0 0 1 0 1 0 1 1 0 1 0 0 11 10000000 10000000 1 0",
+     Errc::malformed, 101,
+     "commandFrame/SceneReplacement/Group/children/Shape/geometry/IndexedFaceSet/normal/Normal/"
+     "vector: the orientation of a normal is 3 [expected 0 to 2]"},
     {"a ROUTE without nodes", "00 11 0 00 0", Errc::malformed, 5,
      "commandFrame/ROUTEInsertion: no node has the ID 1"},
 };

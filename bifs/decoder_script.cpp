@@ -347,9 +347,9 @@ bool FrameDecoder::read_script_field(NodeId script, std::vector<std::string>& id
   constexpr nodes::EventKind kKinds[] = {nodes::EventKind::field, nodes::EventKind::event_in,
                                          nodes::EventKind::event_out};
   const uint32_t kind = u(2, "eventType");
+  if (kind >= std::size(kKinds)) fail(Errc::malformed, "a script field of event type 3");
   const uint32_t code = u(6, "fieldType");
   const auto type = nodes::field_type_of_code(code);
-  if (kind >= std::size(kKinds)) fail(Errc::malformed, "a script field of event type 3");
   if (!type) fail(Errc::unsupported, "a script field of type " + std::to_string(code));
   if (!ok() || !take(1, sizeof(FieldDefinition))) return false;
   FieldDefinition field;

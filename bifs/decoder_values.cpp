@@ -288,6 +288,8 @@ QuantizedDirection FrameDecoder::read_direction(bool has_sign, size_t components
   QuantizedDirection direction;
   if (has_sign) direction.negative = u(1, "direction") != 0;
   direction.orientation = u(2, "orientation");
+  if (direction.orientation > components)
+    fail(Errc::malformed, "the orientation of a normal is 3 [expected 0 to 2]");
   for (size_t i = 0; i < components; ++i) direction.components[i] = u(bits, "component");
   return direction;
 }
