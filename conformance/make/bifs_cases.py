@@ -204,7 +204,7 @@ def values():
         numbers = [i % 7 for i in range(count)]
         yield one(f"value-list-{count}", f"lists and counts of {count} elements", Node(
             "Shape", geometry=Node("IndexedFaceSet", coordIndex=Listed(numbers), colorIndex=Vector(numbers),
-                                   normalIndex=Vector(numbers, 3))), "8.list 8.vector 8.length-width" + (" 8.empty" if not count else ""))
+                                   normalIndex=Vector(numbers, 3))), "8.list 8.vector 8.reserved 8.length-width" + (" 8.empty" if not count else ""))
     buffers = SceneStream()
     buffers.unit(c("scene", group(
         Node("Conditional", id=1, buffer=Buffer(c("replace_field", 3, "translation", [1, 2, 3]), c(

@@ -94,7 +94,8 @@ class ValueWriter:
         inner, self.out, self.quantizer = self.out, kept, quantizer
         size = len(inner) // 8
         self.out.u(5, bits_for(size), "bufferSize")
-        self.out.u(bits_for(size), size)
+        self.out.u(bits_for(size), size, "bufferLength")
+        self.out.mark("bufferBytes")
         self.out.append(inner)
         return {"commands": commands}
 
@@ -239,7 +240,8 @@ class ValueWriter:
         return NODES[name]
 
     def name(self, text):
-        self.out.data(text.encode() + b"\0", "name")
+        for i, byte in enumerate(text.encode() + b"\0"):
+            self.out.u(8, byte, "character" if i else "name")
 
     def fields(self, node, definition):
         self.out.u(1, int(node.form == "mask"), "isMask")

@@ -41,7 +41,6 @@ BIFS = """
 3.null-replacement|3|Replacing a node by NULL removes it.
 3.null-field|3|A field that holds a node is emptied by the NULL node as its value.
 3.unknown-target|3|A command addresses a node that is known.
-3.route-target|3|Deleting or replacing a ROUTE addresses one that is known.
 3.truncated|3|An access unit that ends inside a command is truncated.
 4.scene|4|A scene replacement is 6 reserved bits, USENAMES, PROTOs, a top node and ROUTEs.
 4.drops|4|A scene replacement drops all nodes, IDs, PROTOs and ROUTEs that were there.
@@ -113,7 +112,6 @@ BIFS = """
 9.orientation|9.6|The orientation of a normal is at most 2.
 11.route|11|A ROUTE is an optional ID, node and OUT field, node and IN field.
 11.route-id|11|A ROUTE with an ID has it minus 1.
-11.route-field|11|The fields of a ROUTE have the same type.
 12.interface|12|A PROTO has an ID and fields, each of an event type, a field type and a default.
 12.default|12|Defaults are never quantized.
 12.extern|12|An EXTERNPROTO has URLs in place of a body.

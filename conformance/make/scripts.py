@@ -174,7 +174,7 @@ class ScriptWriter:
         self.out.u(1, int(isinstance(value, int)), "isInteger")
         if isinstance(value, int):
             self.out.u(5, bits_for(value), "integer")
-            self.out.u(bits_for(value), value)
+            self.out.u(bits_for(value), value, "integerValue")
             return str(value)
         for character in value:
             self.out.u(4, DIGITS[character], "digit")
