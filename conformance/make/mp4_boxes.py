@@ -178,6 +178,7 @@ class Movie:
         self.large_mdat = False
         self.in_movie = []  # further boxes of moov
         self.gap = 0  # bytes before the data
+        self.open_data = False  # a size of 0
         self.change = lambda moov: moov
 
     def moov(self):
@@ -200,7 +201,7 @@ class Movie:
 
     def boxes(self):
         made = {"ftyp": Box("ftyp", b"mp42", u32(1), b"isom", b"mp42"), "moov": self.moov(),
-                "mdat": Box("mdat", bytes(self.gap), *self.data(), large=self.large_mdat)}
+                "mdat": Box("mdat", bytes(self.gap), *self.data(), large=self.large_mdat, open_end=self.open_data)}
         made.update((box.kind, box) for box in self.extra)
         return [made[kind] for kind in self.order]
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-2-Clause
 # SPDX-FileCopyrightText: 2026 the afx authors
-"""Writes suites/bifs-rejects: what a decoder must refuse, and where."""
+"""Writes suites/bifs-rejects and suites/mp4-rejects: what a decoder must refuse, and where."""
 import bifs_reject_cases
 import config_reject_cases
+import mp4_reject_cases
 from mp4_boxes import bit_in_file, scene_file
 from suite_writer import Suite
 
@@ -20,13 +21,20 @@ def add_fault(suite, name, about, fault):
     suite.case(name, about, "mp4", file, expected(fault.code, place, about), covers)
 
 
+def add_files(suite, area, cases):
+    for name, about, file, code, bit, covers in cases:
+        place = {} if bit is None else {"bit": bit}
+        suite.case(name, about, "mp4", file, expected(code, place, about), [f"{area}.{rule}" for rule in covers.split()])
+
+
 def main():
     suite = Suite("bifs-rejects", "Scenes that are to be refused", ["../rules/bifs.json"])
     for name, about, fault in bifs_reject_cases.all_cases():
         add_fault(suite, name, about, fault)
-    for name, about, file, code, bit, covers in config_reject_cases.all_cases():
-        place = {} if bit is None else {"bit": bit}
-        suite.case(name, about, "mp4", file, expected(code, place, about), ["bifs." + rule for rule in covers.split()])
+    add_files(suite, "bifs", config_reject_cases.all_cases())
+    suite.close()
+    suite = Suite("mp4-rejects", "MP4 files that are to be refused", ["../rules/mp4.json"])
+    add_files(suite, "mp4", mp4_reject_cases.all_cases())
     suite.close()
 
 

@@ -20,7 +20,6 @@ BIFS = """
 2.pixel-metric|2|pixelMetric says whether coordinates are pixels or metres.
 2.id-widths|2|IDs take the width that the configuration says, up to 31 bits, also 0.
 2.later-nodes|2|A stream of object type 1 can carry nodes of every version.
-2.wrong-form|2|A configuration that does not fit its object type may be read in the other form.
 2.truncated|2|A configuration that ends too early is truncated.
 2.mesh|2|3D mesh coding is not supported by everybody, and a scene with it is refused.
 2.predictive-flag|2|With usePredictiveMFField each multiple field begins with a flag.
@@ -186,7 +185,6 @@ MP4 = """
 4.es-remove|15.4|ES_DescriptorRemove names streams of one object, in files by references.
 4.reference|15.4|ES_ID_Ref counts the tracks of mpod from 1.
 4.url|15.4|An object descriptor with a URL has no streams.
-4.damaged|15.4|A damaged object descriptor command is an error.
 5.object-type|15.5|BIFS has the object types 1 and 2.
 """
 
