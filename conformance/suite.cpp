@@ -202,7 +202,11 @@ std::string describe(const Check& check) {
 Result<Suite> read_suite(const std::string& folder) {
   const auto file = MappedFile::open_regular(folder + "/suite.json");
   if (!file.ok()) return file.error();
-  const auto document = parse_json(file.value().bytes(), {});
+  return parse_suite(file.value().bytes(), folder);
+}
+
+Result<Suite> parse_suite(std::span<const uint8_t> bytes, const std::string& folder) {
+  const auto document = parse_json(bytes, {});
   if (!document.ok()) return document.error();
   JsonFields in(document.value());
   Suite suite;

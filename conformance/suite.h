@@ -5,8 +5,10 @@
 // conformance/suites/suite.schema.json, explained in the README beside it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -112,5 +114,7 @@ struct Suite {
 ///         form (the text names the JSON pointer and what was expected), a name is there twice, a
 ///         path leaves the folder, an origin is not in the list
 Result<Suite> read_suite(const std::string& folder);
+/// The same of the bytes of a suite.json that stands in `folder`.
+Result<Suite> parse_suite(std::span<const uint8_t> bytes, const std::string& folder);
 
 }  // namespace afx::conformance
