@@ -43,6 +43,22 @@ AFX_PART_OF_CALLER bool any(LaneMask mask) {
   std::memcpy(&words, &mask, sizeof words);
   return (words[0] | words[1] | words[2] | words[3]) != 0;
 }
+
+/// Four and four, from two places: of the upper row and of the lower one.
+using HalfLanes = float __attribute__((vector_size(16)));
+AFX_PART_OF_CALLER Lanes load(const float* upper, const float* lower) {
+  HalfLanes low, high;
+  std::memcpy(&low, upper, sizeof low);
+  std::memcpy(&high, lower, sizeof high);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+AFX_PART_OF_CALLER void store(float* upper, float* lower, Lanes lanes) {
+  const HalfLanes low = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
+  const HalfLanes high = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+  std::memcpy(upper, &low, sizeof low);
+  std::memcpy(lower, &high, sizeof high);
+}
+
 AFX_PART_OF_CALLER Lanes lane_numbers() { return Lanes{0, 1, 2, 3, 4, 5, 6, 7}; }
 AFX_PART_OF_CALLER LaneMask first_lanes(int count) {
   return LaneMask{0, 1, 2, 3, 4, 5, 6, 7} < count;

@@ -20,12 +20,20 @@ namespace afx::render {
 
 /// The eight children of a node as discs: element i is child i, whether it is there or not.
 struct EightDiscs {
-  float x[8], y[8];           ///< in samples
-  float depth[8];             ///< of the centre
-  float nearest[8];           ///< no part of it is nearer
-  float reach[8];             ///< how far it is seen around (x, y); negative: nothing is to be seen
-  float radius[8];            ///< in scene units; facing discs: in samples
+  float x[8], y[8];              ///< in samples
+  float depth[8];                ///< of the centre
+  float nearest[8];              ///< no part of it is nearer
+  float reach_x[8], reach_y[8];  ///< how far it is seen around (x, y); negative: not at all
+  float radius[8];               ///< in scene units; facing discs: in samples
   float nx[8], ny[8], nz[8];  ///< the normal in the camera's system; (0, 0, 0): it faces the viewer
+  float depth_x[8], depth_y[8], nearness[8], a[8], b[8], c[8], bulge[8];  ///< see Tilt
+};
+
+/// For each of the eight children of a node a square on the screen that holds the discs of its
+/// descendants, and a depth that none of these is nearer than, less their tolerance.
+struct EightBounds {
+  float x[8], y[8], reach[8];  ///< samples; reach infinite: no bound is known, negative: no discs
+  float depth[8];
 };
 
 /// The nodes of one cloud as one camera sees them.
@@ -43,6 +51,10 @@ class OctreeView {
   /// Nodes so many of their reaches away are reckoned in floats; nearer ones are never coarser
   /// ones.
   static constexpr double kFarAway = 8;
+
+  /// No part of a disc is nearer than its `nearest`, however depths are rounded: a part of its
+  /// radius.
+  static constexpr float kRounding = 1e-3F;
 
   /// What the nodes of a level have in common.
   struct Size {
@@ -94,14 +106,15 @@ class OctreeView {
   /// The root by itself, as element 0.
   void project_root(EightDiscs& out) const;
 
-  /// A disc as it is, its light still black, its rectangle not as close as it could be.
-  [[nodiscard]] Splat outline(const EightDiscs& discs, unsigned i, unsigned level) const {
-    return {discs.x[i],     discs.y[i],       discs.reach[i],          discs.reach[i],
+  /// A disc by itself, its light still black.
+  [[nodiscard]] Splat splat(const EightDiscs& discs, unsigned i, unsigned level) const {
+    return {discs.x[i],     discs.y[i],       discs.reach_x[i],        discs.reach_y[i],
             discs.depth[i], discs.nearest[i], sizes_[level].tolerance, glm::vec3(0)};
   }
-  /// How it lies in space; makes the rectangle of its outline closer.
-  [[nodiscard]] Tilt tilt(const EightDiscs& discs, unsigned i, unsigned level,
-                          Splat& outline) const;
+  [[nodiscard]] static Tilt tilt(const EightDiscs& discs, unsigned i) {
+    return {discs.depth_x[i], discs.depth_y[i], discs.nearness[i], discs.a[i],
+            discs.b[i],       discs.c[i],       discs.bulge[i]};
+  }
 
   /// How much each side of the nodes around a place counts as it is seen from the eye, in the order
   /// of VoxelTree::Sides: the squares of the cosines, 0 for those turned away.
@@ -112,29 +125,31 @@ class OctreeView {
   /// The colour of a node, linear. weights   for levels above the tree's last
   [[nodiscard]] glm::vec3 light(unsigned level, uint32_t number, const SideWeights& weights) const;
 
-  /// A square on the screen that holds the discs of a node's descendants, and a depth that none of
-  /// these is nearer than, less their tolerance.
-  struct Bound {
-    float x, y, reach;  ///< samples; infinite reach: no bound is known
-    float depth;
-  };
-  [[nodiscard]] Bound bound(const glm::dvec3& centre, unsigned level) const;
+  /// The children of a node, of `level`. centre   of the node
+  void bounds(const glm::dvec3& centre, unsigned level, EightBounds& out) const;
 
  private:
-  /// The facets of the children that are there, in lanes; zero for the others.
+  /// The facets of the children, in lanes; for those that are not there, that of another.
   struct EightFacets {
     float sx[8], sy[8], sz[8], nx[8], ny[8], nz[8];
-    bool all_tilted;  // those that are there
+    bool all_tilted;
   };
   [[nodiscard]] bool is_far(const glm::dvec3& parent, unsigned level) const;
   void gather(VoxelTree::Branch branch, unsigned level, EightFacets& facets) const;
   template <bool kPerspective>
   void project_far(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
                    EightDiscs& out) const;
-  void project_far_plain(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
+  void project_far_plain(const glm::dvec3& centre, VoxelTree::Branch branch, unsigned level,
                          EightDiscs& out) const;
-  void project_far_avx2(const glm::dvec3& centre, const EightFacets& facets, unsigned level,
+  void project_far_avx2(const glm::dvec3& centre, VoxelTree::Branch branch, unsigned level,
                         EightDiscs& out) const;
+  template <bool kPerspective>
+  void tilt_all(unsigned level, EightDiscs& discs) const;
+  void tilt_plain(unsigned level, EightDiscs& discs) const;
+  template <bool kPerspective>
+  void bound_all(const glm::dvec3& centre, unsigned level, EightBounds& out) const;
+  void bounds_plain(const glm::dvec3& centre, unsigned level, EightBounds& out) const;
+  void bounds_avx2(const glm::dvec3& centre, unsigned level, EightBounds& out) const;
   void project_exactly(const glm::dvec3& centre, const VoxelTree::Facet& facet, unsigned level,
                        unsigned i, EightDiscs& out) const;
   void project_tilted(const glm::dvec3& centre, const glm::dvec3& normal, unsigned level,

@@ -30,54 +30,30 @@ inline constexpr std::array<uint8_t, 256> kOnes = [] {
 /// What is passed over cannot change the picture.
 class OctreeWalk {
  public:
-  /// Calls emit(splat, tilt) for the nodes to be drawn. It may draw them into `tile` at once.
-  template <class Emit>
-  void run(const OctreeView& view, TileSamples& tile, const Emit& emit) {
-    tile_ = &tile;
-    if (view.tree().voxels() == 0) return;
-    begin(view, tile);
-    if (view.last_level() == 0) return emit_root(view, emit);
-    push(view, 0, 0, view.root());
-    while (!stack_.empty()) {
-      const Entry node = stack_.back();
-      stack_.pop_back();
-      if (is_hidden(node, tile)) continue;
-      visit(view, node, emit);
-    }
-  }
+  /// Lays the depths of the nodes to be drawn into `tile`, and appends those to `seen` that are
+  /// seen so far.
+  void run(const OctreeView& view, TileSamples& tile, std::vector<TileDisc>& seen);
 
  private:
+  /// A node and its bound; see EightBounds.
   struct Entry {
     glm::dvec3 centre;
-    OctreeView::Bound bound;
+    float x, y, reach, depth;
     uint32_t number;
     uint32_t level;
   };
 
   void begin(const OctreeView& view, const TileSamples& tile);
-  /// Puts a node onto the stack if its discs may touch the tile.
-  void push(const OctreeView& view, unsigned level, uint32_t number, const glm::dvec3& centre);
-  static bool is_hidden(const Entry& node, TileSamples& tile);
+  /// Puts the children of a node that may touch the tile onto the stack.
+  void push_children(const OctreeView& view, const Entry& node, VoxelTree::Branch branch);
   [[nodiscard]] bool touches(float x, float y, float reach) const {
     return std::abs(x - middle_x_) <= reach + half_ && std::abs(y - middle_y_) <= reach + half_;
   }
 
-  template <class Emit>
-  void visit(const OctreeView& view, const Entry& node, const Emit& emit) {
-    const VoxelTree::Branch branch = view.tree().branches(node.level)[node.number];
-    const unsigned level = node.level + 1;
-    if (view.is_last(level, node.centre)) {
-      view.project(node.centre, branch, level, discs_);
-      if (level < view.tree().level()) weights_ = view.side_weights(node.centre);
-      return for_children(branch, 0, [&](unsigned i, uint32_t number) {
-        this->emit_disc(view, level, i, number, emit);
-      });
-    }
-    const OctreeView::Size& size = view.size(level);
-    for_children(branch, 7, [&](unsigned i, uint32_t number) {
-      this->push(view, level, number, node.centre + size.offsets[i]);
-    });
-  }
+  void visit(const OctreeView& view, const Entry& node, std::vector<TileDisc>& seen);
+  void lay_disc(const OctreeView& view, unsigned level, unsigned i, uint32_t number,
+                std::vector<TileDisc>& seen);
+  void lay_root(const OctreeView& view, std::vector<TileDisc>& seen);
 
   /// Visits the children that are there with their numbers, those nearest to the viewer first, or
   /// with flip = 7 last.
@@ -91,28 +67,12 @@ class OctreeWalk {
     }
   }
 
-  template <class Emit>
-  void emit_disc(const OctreeView& view, unsigned level, unsigned i, uint32_t number,
-                 const Emit& emit) const {
-    if (discs_.reach[i] < 0 || !touches(discs_.x[i], discs_.y[i], discs_.reach[i])) return;
-    Splat splat = view.outline(discs_, i, level);
-    if (painter_.is_hidden(splat, *tile_)) return;
-    const Tilt tilt = view.tilt(discs_, i, level, splat);
-    splat.light = view.light(level, number, weights_);
-    emit(splat, tilt);
-  }
-
-  template <class Emit>
-  void emit_root(const OctreeView& view, const Emit& emit) {
-    view.project_root(discs_);
-    weights_ = view.side_weights(view.root());
-    emit_disc(view, 0, 0, 0, emit);
-  }
-
   const SplatPainter& painter_ = SplatPainter::best();
-  const TileSamples* tile_ = nullptr;
+  TileSamples* tile_ = nullptr;
   std::vector<Entry> stack_;
   EightDiscs discs_;
+  EightRectangles boxes_;
+  EightBounds bounds_;
   OctreeView::SideWeights weights_{};
   unsigned nearest_ = 0;
   float middle_x_ = 0, middle_y_ = 0, half_ = 0;  // of the tile, in samples

@@ -17,26 +17,23 @@
 namespace afx::render {
 namespace {
 
-struct VoxelSplat {
-  Splat splat;
-  Tilt tilt;
-};
-
-/// All splats of a tree in the order of the walk, whether they can be seen or not.
+/// All discs of a tree in the order of the walk, whether they can be seen or not.
 class PlainWalk {
  public:
-  PlainWalk(const OctreeView& view, const glm::dvec3& ray)
-      : view_(view), nearest_(view.nearest_child(ray)) {
+  PlainWalk(const OctreeView& view, const TileSamples& tile, const glm::dvec3& ray)
+      : view_(view), tile_(tile), nearest_(view.nearest_child(ray)) {
     visit(0, 0, view.root());
   }
-  std::vector<VoxelSplat> splats;
+  std::vector<TileDisc> discs;
 
  private:
   void visit(unsigned level, uint32_t number, const glm::dvec3& centre) {
     const VoxelTree::Branch branch = view_.tree().branches(level)[number];
     const bool last = view_.is_last(level + 1, centre);
-    EightDiscs discs;
-    view_.project(centre, branch, level + 1, discs);
+    EightDiscs eight;
+    EightRectangles boxes;
+    view_.project(centre, branch, level + 1, eight);
+    SplatPainter::plain().place(eight, tile_, boxes);
     const OctreeView::SideWeights weights = view_.side_weights(centre);
     for (unsigned k = 0; k < 8; ++k) {
       const unsigned i = nearest_ ^ k;
@@ -46,16 +43,16 @@ class PlainWalk {
       const OctreeView::Size& size = view_.size(level + 1);
       if (!last) {
         visit(level + 1, child, centre + size.offsets[i]);
-      } else if (discs.reach[i] > 0) {
-        splats.emplace_back();
-        splats.back().splat = view_.outline(discs, i, level + 1);
-        splats.back().tilt = view_.tilt(discs, i, level + 1, splats.back().splat);
-        splats.back().splat.light = view_.light(level + 1, child, weights);
+      } else if (eight.reach_x[i] > 0) {
+        discs.push_back(
+            {view_.splat(eight, i, level + 1), OctreeView::tilt(eight, i), boxes.at(i)});
+        discs.back().splat.light = view_.light(level + 1, child, weights);
       }
     }
   }
 
   const OctreeView& view_;
+  const TileSamples& tile_;
   unsigned nearest_;
 };
 
@@ -86,19 +83,17 @@ Counts expect_equal(const Scene& scene, const Camera& camera, const RenderOption
   OctreeWalk walk;
   Counts counts;
   for (uint32_t tile = 0; tile < frame.grid.columns * frame.grid.rows; ++tile) {
-    std::vector<VoxelSplat> all, seen;
+    std::vector<TileDisc> all, seen;
     walked.clear(tile % frame.grid.columns, tile / frame.grid.columns);
     plain.clear(tile % frame.grid.columns, tile / frame.grid.columns);
     for (const OctreeView& view : frame.octrees) {
-      for (const VoxelSplat& v : PlainWalk(view, ray_of(frame, plain)).splats) all.push_back(v);
-      walk.run(view, walked, [&](const Splat& splat, const Tilt& tilt) {
-        if (SplatPainter::best().lay_disc_depth(splat, tilt, walked)) seen.push_back({splat, tilt});
-      });
+      for (const TileDisc& d : PlainWalk(view, plain, ray_of(frame, plain)).discs) all.push_back(d);
+      walk.run(view, walked, seen);
     }
     const SplatPainter& painter = SplatPainter::plain();
-    for (const VoxelSplat& v : all) painter.lay_disc_depth(v.splat, v.tilt, plain);
-    for (const VoxelSplat& v : all) painter.lay_disc_colour(v.splat, v.tilt, plain);
-    for (const VoxelSplat& v : seen) SplatPainter::best().lay_disc_colour(v.splat, v.tilt, walked);
+    for (const TileDisc& disc : all) painter.lay_disc_depth(disc, plain);
+    for (const TileDisc& disc : all) painter.lay_disc_colour(disc, plain);
+    for (const TileDisc& disc : seen) SplatPainter::best().lay_disc_colour(disc, walked);
     expect_equal(walked.depths, plain.depths, tile);
     expect_equal(walked.sum_weight, plain.sum_weight, tile);
     expect_equal(walked.sum_r, plain.sum_r, tile);

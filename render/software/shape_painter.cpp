@@ -101,7 +101,6 @@ void ShapePainter::lay_walls(uint32_t column, uint32_t row, TileSamples& tile) {
     }
   });
   tile.depths = tile.walls;
-  tile.touch(0, 0, tile.side, tile.side);
 }
 
 /// The samples of `seen_` see `piece` before what is there.

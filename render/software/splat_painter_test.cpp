@@ -39,6 +39,17 @@ Slant random_slant(std::minstd_rand& random, const Splat& splat) {
   return {scaled(), scaled(), scaled(), scaled(), any(random) / 100, any(random) / 100, 0.3F, 0.5F};
 }
 
+/// A disc in its tile.
+TileDisc disc_of(const SplatPainter& painter, const Splat& splat, const Tilt& tilt,
+                 const TileSamples& tile) {
+  EightDiscs eight{};
+  eight.x[5] = splat.x, eight.y[5] = splat.y;
+  eight.reach_x[5] = splat.reach_x, eight.reach_y[5] = splat.reach_y;
+  EightRectangles boxes;
+  painter.place(eight, tile, boxes);
+  return {splat, tilt, boxes.at(5)};
+}
+
 /// A tile with splats laid by one painter; with a wall across half of it.
 TileSamples painted(const SplatPainter& painter, bool wall) {
   const RenderOptions options{.width = 32, .height = 32, .samples = 3};
@@ -60,11 +71,11 @@ TileSamples painted(const SplatPainter& painter, bool wall) {
     slants.push_back(random_slant(random, splats.back()));
   }
   for (size_t i = 0; i < splats.size(); ++i) {
-    painter.lay_disc_depth(splats[i], tilts[i], tile);
+    painter.lay_disc_depth(disc_of(painter, splats[i], tilts[i], tile), tile);
     painter.lay_surfel_depth(splats[i], slants[i], tile);
   }
   for (size_t i = 0; i < splats.size(); ++i) {
-    painter.lay_disc_colour(splats[i], tilts[i], tile);
+    painter.lay_disc_colour(disc_of(painter, splats[i], tilts[i], tile), tile);
     painter.lay_surfel_colour(splats[i], slants[i], tile);
   }
   painter.finish(tile);
@@ -108,10 +119,11 @@ TEST(SplatPainter, AWallHidesWhatLiesBehindItAndIsSeenWhereNothingLiesBefore) {
   Splat before = behind;
   before.x = 24, before.depth = before.nearest = 4.99F;
   const Tilt tilt{0, 0, 0, 1 / 9.0F, 0, 1 / 9.0F, 0};
-  EXPECT_FALSE(painter.lay_disc_depth(behind, tilt, tile));
-  EXPECT_TRUE(painter.lay_disc_depth(before, tilt, tile));
-  painter.lay_disc_colour(behind, tilt, tile);
-  painter.lay_disc_colour(before, tilt, tile);
+  for (const Splat& splat : {behind, before}) {
+    const TileDisc disc = disc_of(painter, splat, tilt, tile);
+    EXPECT_EQ(painter.lay_disc_depth(disc, tile), splat.depth < 5);
+    painter.lay_disc_colour(disc, tile);
+  }
   painter.finish(tile);
   const size_t hidden = 8 * tile.side + 8, seen = 8 * tile.side + 24;
   EXPECT_EQ(tile.sum_r[hidden], 1);

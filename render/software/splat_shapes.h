@@ -31,7 +31,9 @@ struct Disc {
   static constexpr bool kHasRuns = false;  // in rows; else all its rectangle may be covered
   static constexpr float weight = 1;       // of its centre, in mixing
 
-  [[nodiscard]] AFX_PART_OF_CALLER Hit at(Lanes dx, float dy) const {
+  /// dy   a float, or Lanes
+  template <class Height>
+  [[nodiscard]] AFX_PART_OF_CALLER Hit at(Lanes dx, Height dy) const {
     const Lanes deeper = tilt.depth_x * dx + tilt.depth_y * dy;
     const Lanes k = 1 / most(all(kLeastPart), 1 - tilt.nearness * deeper);
     const Lanes flat = dx * (tilt.a * dx + 2 * tilt.b * dy) + tilt.c * dy * dy;

@@ -8,15 +8,6 @@
 
 namespace afx::render {
 
-void TilePainter::lay_octrees() {
-  voxels_.clear();
-  for (const OctreeView& view : frame_.octrees) {
-    walk_.run(view, samples_, [this](const Splat& splat, const Tilt& tilt) {
-      if (painter_.lay_disc_depth(splat, tilt, samples_)) voxels_.push_back({splat, tilt});
-    });
-  }
-}
-
 void TilePainter::resolve(uint32_t x, uint32_t y, RenderedImage& image) {
   const RenderOptions& options = frame_.options;
   const uint32_t columns = std::min(frame_.grid.side, options.width - x);
@@ -42,10 +33,11 @@ void TilePainter::paint(uint32_t column, uint32_t row, RenderedImage& image) {
   tiles.collect(column, row, surfels_);
   for (const uint32_t i : surfels_)
     painter_.lay_surfel_depth(tiles.splat(i), tiles.slant(i), samples_);
-  lay_octrees();
+  discs_.clear();
+  for (const OctreeView& octree : frame_.octrees) walk_.run(octree, samples_, discs_);
   for (const uint32_t i : surfels_)
     painter_.lay_surfel_colour(tiles.splat(i), tiles.slant(i), samples_);
-  for (const VoxelSplat& v : voxels_) painter_.lay_disc_colour(v.splat, v.tilt, samples_);
+  for (const TileDisc& disc : discs_) painter_.lay_disc_colour(disc, samples_);
   painter_.finish(samples_);
   shapes_.lay_fog(samples_);
   shapes_.lay_glass(column, row, samples_);

@@ -17,7 +17,7 @@
 namespace afx::render {
 
 /// Draws one tile after another, at n x n samples a pixel. For one thread; holds 36 bytes a
-/// sample, 4 for each surfel and 68 for each voxel that touches the tile, and what a ShapePainter
+/// sample, 4 for each surfel and 92 for each voxel that touches the tile, and what a ShapePainter
 /// holds.
 class TilePainter {
  public:
@@ -28,7 +28,6 @@ class TilePainter {
   void paint(uint32_t column, uint32_t row, RenderedImage& image);
 
  private:
-  void lay_octrees();
   void resolve(uint32_t x, uint32_t y, RenderedImage& image);
 
   const Frame& frame_;
@@ -38,11 +37,7 @@ class TilePainter {
   ShapePainter shapes_;
   OctreeWalk walk_;
   std::vector<uint32_t> surfels_;  // numbers of those of the tile
-  struct VoxelSplat {
-    Splat splat;
-    Tilt tilt;
-  };
-  std::vector<VoxelSplat> voxels_;  // those of the tile that may be seen
+  std::vector<TileDisc> discs_;    // voxels of the tile that may be seen
 };
 
 }  // namespace afx::render

@@ -31,19 +31,11 @@ inline constexpr float kFar = std::numeric_limits<float>::infinity();
 /// linear light.
 class TileSamples {
  public:
-  /// For tiles of that grid. Lists have room for kPadding more than the samples.
+  /// For tiles of that grid. Lists have room for a row and kPadding more than the samples.
   TileSamples(const TileGrid& grid, const RenderOptions& options);
 
   /// Begins a tile.
   void clear(uint32_t column, uint32_t row);
-
-  /// Whether all samples of a rectangle (in samples from the tile's corner, clipped to the tile)
-  /// are nearer than `depth`. May say no where it is so, never yes where it is not. The depths must
-  /// only sink from call to call.
-  [[nodiscard]] bool hides(float x0, float y0, float x1, float y1, float depth);
-  /// To be called when depths of that rectangle of samples may have changed; the ends are beyond
-  /// it.
-  void touch(size_t x0, size_t y0, size_t x1, size_t y1);
 
   static constexpr size_t kPadding = 8;
 
@@ -54,17 +46,6 @@ class TileSamples {
   std::vector<float> wall_r, wall_g, wall_b;  ///< its colour
   std::vector<float> sum_r, sum_g, sum_b, sum_weight;  ///< of splats: weighted sums
   bool has_walls = false;  ///< else `walls` and their colours are not kept
-
- private:
-  static constexpr size_t kBlock = 8;  // samples along a side
-  struct Block {
-    float farthest;
-    bool changed;
-  };
-  [[nodiscard]] float farthest(size_t column, size_t row);
-
-  size_t blocks_;  // along a side
-  std::vector<Block> farthest_;
 };
 
 }  // namespace afx::render
