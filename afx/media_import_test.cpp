@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using Bytes = std::vector<uint8_t>;
 
 const std::string kMp4 = AFX_SOURCE_DIR "/conformance/suites/bifs-gpac/";
-const std::string kOctree = AFX_SOURCE_DIR "/conformance/octree/";
+const std::string kOctree = AFX_SOURCE_DIR "/conformance/suites/octree-model/";
 
 Bytes read_file(const std::string& path) {
   const auto file = MappedFile::open(path);

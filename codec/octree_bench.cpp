@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // The octree coder against the plain one, and octree bytes to voxels, on real surfaces of
-// conformance/octree: the water bottle at 512 without images, spot at 256 with six.
+// conformance/suites/octree-model: the water bottle at 512 without images, spot at 256 with six.
 // A figure is the ratio of two rows of one run.
 #include <benchmark/benchmark.h>
 
@@ -30,7 +30,7 @@ struct Model {
 };
 
 Model load(const std::string& name, unsigned levels, unsigned images) {
-  std::ifstream in(AFX_SOURCE_DIR "/conformance/octree/" + name, std::ios::binary);
+  std::ifstream in(AFX_SOURCE_DIR "/conformance/suites/octree-model/" + name, std::ios::binary);
   const std::vector<uint8_t> file{std::istreambuf_iterator<char>(in),
                                   std::istreambuf_iterator<char>()};
   constexpr uint8_t start_code[] = {0x00, 0x00, 0x01, 0xC8};

@@ -19,7 +19,7 @@ bool is_source(const std::filesystem::path& path) {
   return path.extension() == ".h" || path.extension() == ".cpp";
 }
 bool is_check(const std::string& name) {
-  return std::regex_search(name, std::regex("_(test|bench|fuzz)\\.cpp$"));
+  return std::regex_search(name, std::regex("_(test|bench|fuzz)\\.cpp$|_test_[a-z_]+\\.h$"));
 }
 
 TEST(Layers, NoFileIncludesAFolderAboveItsOwn) {

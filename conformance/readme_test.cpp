@@ -31,7 +31,7 @@ TEST(Readme, TheExampleIsTheConsumerThatIsBuiltAndRun) {
 TEST(Readme, ItsFilesFoldersAndScriptsAreThere) {
   const std::string readme = read_file("README.md");
   const std::regex name(
-      "(?:^|[` (])((?:tools|codec|nodes|bifs|afx|render|conformance)(?:/[a-z_0-9.]+)+)");
+      "(?:^|[` (])((?:tools|codec|nodes|bifs|afx|render|conformance)(?:/[a-z_0-9.-]+)+)");
   int names = 0;
   for (std::sregex_iterator at(readme.begin(), readme.end(), name); at != std::sregex_iterator();
        ++at) {

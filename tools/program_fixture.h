@@ -27,7 +27,7 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
 
-inline const std::string kVectors = AFX_SOURCE_DIR "/conformance/octree/";
+inline const std::string kVectors = AFX_SOURCE_DIR "/conformance/suites/octree-model/";
 
 inline std::string read_file(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -3,7 +3,7 @@
 //
 // What the free pixels of reference images cost JPEG: filled by fill_unused(), with the mean of
 // their block as in the paper (section VII.A), and left black. The images are those of the bust of
-// conformance/octree at 256, shaded, or of the mesh or cloud that AFX_BENCH_MODEL names. The time
+// conformance/suites/octree-model at 256, shaded, or of the mesh or cloud that AFX_BENCH_MODEL names. The time
 // is that of filling; the figures are counters:
 //   q90       bytes with quality 90
 //   psnr90    of the used pixels then
@@ -34,7 +34,7 @@ constexpr double kPsnr = 42;
 
 // The centres of the voxels of a stream.
 PointCloud bust() {
-  std::ifstream in(AFX_SOURCE_DIR "/conformance/octree/nefertiti-256.afx", std::ios::binary);
+  std::ifstream in(AFX_SOURCE_DIR "/conformance/suites/octree-model/nefertiti-256.afx", std::ios::binary);
   const std::vector<uint8_t> file{std::istreambuf_iterator<char>(in),
                                   std::istreambuf_iterator<char>()};
   Diagnostics diagnostics;
