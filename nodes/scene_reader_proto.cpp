@@ -83,7 +83,7 @@ void SceneTextReader::read_extern_proto(ScopeId scope) {
 void SceneTextReader::read_is(NodeId id, FieldIndex field) {
   const ProtoId proto = scene_.scope(scene_.node(id).scope).proto;
   if (!proto.valid())
-    return in_.fail(Errc::malformed, in_.offset(),
+    return in_.fail(Errc::malformed, in_.offset() - std::string_view("IS").size(),
                     "IS outside the body of a PROTO [expected a value]");
   if (in_.peek_word().empty()) return in_.fail_expected("a field of the PROTO after IS");
   const size_t begin = in_.offset();
@@ -149,11 +149,12 @@ FieldIndex SceneTextReader::read_route_end(ScopeId scope, bool source, NodeId& n
   const size_t begin = in_.offset();
   const std::string_view name = in_.take_word();
   const NodeDefinition& definition = *scene_.node(node).definition;
-  FieldIndex field = source ? definition.find_event_out(name) : definition.find_event_in(name);
-  if (!field.valid()) field = find_field(definition, name, begin);
-  if (!field.valid()) return {};
+  const FieldIndex field =
+      source ? definition.find_event_out(name) : definition.find_event_in(name);
+  // Not x, nor set_x or x_changed where that is meant: unknown, or the other one of the two.
+  if (!field.valid() && !find_field(definition, name, begin).valid()) return {};
   const IndexMode mode = source ? IndexMode::out : IndexMode::in;
-  if (definition.index_in(mode, field)) return field;
+  if (field.valid() && definition.index_in(mode, field)) return field;
   in_.fail(Errc::malformed, begin,
            quoted(name) + " of " + definition.name + " is no " + (source ? "eventOut" : "eventIn") +
                " [expected one, or an exposedField]");
