@@ -143,8 +143,12 @@ void BtTextReader::read_replace(Commands& out) {
     return out.push_back(NodeReplacement{target, read_node_or_null(scope_)});
   }
   const FieldRef target = read_target(IndexMode::in);
-  const std::optional<Position> position =
-      in_.ok() && in_.peek() == '[' ? read_position() : std::optional<Position>();
+  if (!in_.ok()) return;
+  const FieldDefinition& field = scene_.node(target.node).definition->field(target.field);
+  const bool indexed = in_.peek() == '[';
+  if (indexed && !is_multiple(field.type))
+    return in_.fail_expected("BY, for this field is no list");
+  const std::optional<Position> position = indexed ? read_position() : std::optional<Position>();
   if (!expect_word("BY")) return;
   if (position)
     return out.push_back(IndexedValueReplacement{target, *position, read_element(target)});

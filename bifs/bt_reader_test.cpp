@@ -198,6 +198,8 @@ constexpr BadText kBad[] = {
      "1:36: DELETE: no ROUTE 'r' before this [expected a name that DEF gave]"},
     {"DEF A Group {} AT 5 { XDELETE A }\nAT 4 { XDELETE A }", Errc::malformed,
      "2:1: commands at 4 behind those at 5 [expected times that do not go back]"},
+    {"DEF A Transform {} AT 1 { REPLACE A.scale [0] BY 2 2 2 }", Errc::malformed,
+     "1:43: REPLACE: found '[' [expected BY, for this field is no list]"},
     {"Group {} AT 1 { REPLACE SCENE BY Shape {} }", Errc::malformed,
      "a Shape may not be the top node [expected Group, OrderedGroup, Layer2D, Layer3D]"},
     {"Group {} AT 1 IN 7 { }", Errc::unsupported,

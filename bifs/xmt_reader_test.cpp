@@ -344,6 +344,9 @@ TEST(XmtErrors, SayWhereAndWhatIsMeant) {
       {in_scene("<PixelTexture image='1 1 5 0'/>"), Place::at_line(3, 22), "5 components"},
       {in_body("<Inser/>"), Place::at_line(2, 2), "did you mean 'Insert'?"},
       {in_body("<Replace atNod='x'/>"), Place::at_line(2, 2), "without atNode"},
+      {in_body("<Replace><Scene><Transform DEF='T'/></Scene></Replace>\n"
+               "<Delete atNode='T' atField='scale' position='END'/>"),
+       Place::at_line(3, 2), "scale is no list"},
       {in_body("<par begin='-1'/>"), Place::at_line(2, 13), "seconds, from 0"},
       {in_body("<par beginn='1'/>"), Place::at_line(2, 6), "did you mean 'begin'?"},
       {in_body("<ObjectDescriptorRemove objectDescriptorId='od2000'/>"), Place::at_line(2, 45),

@@ -100,6 +100,8 @@ Command XmtSceneReader::read_deletion(Element element) {
   const FieldRef target = read_field_ref(attributes, "atNode", "atField");
   const auto position = read_position(attributes);
   attributes.finish();
+  if (document_.ok() && position && !is_multiple(definition(target).type))
+    document_.fail(attributes.where(), definition(target).name + " is no list [expected one]");
   if (!document_.ok() || position)
     return IndexedValueDeletion{target, position.value_or(Position{})};
   if (definition(target).type != FieldType::sf_node)
