@@ -3,6 +3,7 @@
 """Writes suites/bifs-syntax: scenes of this project's own, written from the texts and the tables alone.
 What a decoder must find is what was put in."""
 import bifs_cases
+import proto_cases
 import quantizer_cases
 from bifs_cases import group
 from command_writer import SceneStream, command as c
@@ -43,8 +44,10 @@ def code_cases():
         names = [name for name in NODES if code_path(data_type, name)]
         if data_type in ("SFWorldNode", "SFTopNode") or data_type not in HOSTS:
             continue
-        stream = SceneStream().unit(c("scene", group(*[hosted(Node(name), data_type) for name in names if name != "QuantizationParameter"])))
-        yield f"codes-{data_type.lower()}", f"the code of every node of {data_type}", stream, [f"bifs.data-type/{data_type}"]
+        stream = SceneStream().unit(c("scene", group(*[hosted(Node(name),
+            data_type) for name in names if name != "QuantizationParameter"])))
+        yield f"codes-{data_type.lower()}", f"the code of every node of {data_type}", stream, [
+            f"bifs.data-type/{data_type}"]
     names = list(NODES)
     stream = SceneStream(node_bits=9).unit(c("scene", group(*[Node("Shape", id=i + 1) for i in range(len(names))])))
     stream.unit(*[c("replace_node", i + 1, Node(name)) for i, name in enumerate(names)])
@@ -81,7 +84,7 @@ def add(suite, name, about, stream, covers, tolerances=(), reencode=True):
 
 def main():
     suite = Suite("bifs-syntax", "Scenes of every node, field type, command and quantization", RULES)
-    for part in (bifs_cases.all_cases, quantizer_cases.all_cases, node_cases, code_cases):
+    for part in (bifs_cases.all_cases, proto_cases.all_cases, quantizer_cases.all_cases, node_cases, code_cases):
         for case in part():
             try:
                 add(suite, *case)

@@ -24,9 +24,12 @@ def all_cases():
     full = SceneStream(size=(320, 240)).config_bits()
     # nodeIDbits 4, routeIDbits 0, commands, metric, size: 5 + 5 + 3 bits, then 16 and 16.
     for size, element in ((1, "routeIDbits"), (2, "pixelWidth"), (4, "pixelHeight")):
-        yield one(f"config-cut-{element.lower()}", f"a configuration that ends inside {element}", full.bytes()[:size], "truncated", None, "2.truncated")
+        yield one(f"config-cut-{element.lower()}", f"a configuration that ends inside {element}", full.bytes()[:size],
+            "truncated", None, "2.truncated")
     yield one("config-animation", "the configuration of an animation", b"\x20\x00", "unsupported", None, "2.anim")
-    yield one("config-extended", "a configuration of object type 4", b"\x20\x1c\x00", "unsupported", None, "2.extended", object_type=4)
+    yield one("config-extended", "a configuration of object type 4", b"\x20\x1c\x00", "unsupported", None,
+        "2.extended", object_type=4)
     mesh = SceneStream(version=2, mesh=True).unit(c("scene", group(Node("Shape", geometry=Node("IndexedFaceSet")))))
-    yield one("config-mesh", "a scene with an IndexedFaceSet as 3D mesh bitstream", mesh.config_bits().bytes(), "unsupported", None, "2.mesh",
+    yield one("config-mesh", "a scene with an IndexedFaceSet as 3D mesh bitstream", mesh.config_bits().bytes(),
+        "unsupported", None, "2.mesh",
               object_type=2, scene=mesh)

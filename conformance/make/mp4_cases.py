@@ -4,11 +4,10 @@
 are what a reader must find."""
 import struct
 
-from bifs_cases import group, simple
+from bifs_cases import simple
 from bits import BitWriter
 from command_writer import command as c
-from mp4_boxes import Box, Movie, Track, descriptor, es_descriptor, initial_object, scene_track, u16, u32, u64, u8
-from scene_values import Node
+from mp4_boxes import Box, Movie, Track, descriptor, initial_object, scene_track, u16, u32, u64, u8
 
 JPEG = bytes.fromhex("ffd8ffe000104a46494600010100000100010000ffd9")
 PNG = b"\x89PNG\r\n\x1a\n" + bytes(20)
@@ -67,7 +66,8 @@ def replaced(box, kind, new):
 
 
 def layout():
-    yield "minimal", "one scene track", movie(), "1.box 1.scene 1.sample 1.times 1.stsz 1.stco 3.iods 5.object-type 2.es 2.config"
+    yield "minimal", "one scene track", movie(
+        ), "1.box 1.scene 1.sample 1.times 1.stsz 1.stco 3.iods 5.object-type 2.es 2.config"
     yield "movie-last", "the movie behind the data", movie(order=("ftyp", "mdat", "moov")), "1.order"
     large = movie()
     large.large_mdat = True
@@ -88,11 +88,13 @@ def layout():
             box.parts = [junk[0], *box.parts, *junk[1:], Box("udta", Box("name", b"me"))]
         return box
     made = movie(order=("free", "ftyp", "skip", "moov", "uuid", "mdat", "ab\xa9d"), extra=junk)
-    yield "unknown-boxes", "free space, user data and unknown boxes everywhere", changed(made, strew), "1.unknown-box 1.metadata"
+    yield "unknown-boxes", "free space, user data and unknown boxes everywhere", changed(made,
+        strew), "1.unknown-box 1.metadata"
     gap = movie()
     gap.gap = 7
     yield "data-gap", "data that begin with bytes of nobody", gap, "1.stco"
-    yield "extra-data", "a second box of data", movie(order=("ftyp", "moov", "mdat", "mdau"), extra=[Box("mdau", b"abc")]), "1.unknown-box"
+    yield "extra-data", "a second box of data", movie(order=("ftyp", "moov", "mdat", "mdau"),
+        extra=[Box("mdau", b"abc")]), "1.unknown-box"
 
     def mirrored(moov):
         for box in (moov, moov.child("trak"), moov.child("trak", "mdia", "minf"), stbl(moov)):
@@ -157,7 +159,8 @@ def tables():
 def headers():
     def version_1(moov):
         longer = u32(1 << 24) + u64(1) + u64(2)
-        moov.parts[0] = Box("mvhd", longer, u32(600), u64(0), u32(0x10000), u16(0x100) + bytes(10), moov.parts[0].parts[-3], bytes(24), u32(2))
+        moov.parts[0] = Box("mvhd", longer, u32(600), u64(0), u32(0x10000), u16(0x100) + bytes(10),
+            moov.parts[0].parts[-3], bytes(24), u32(2))
         head = moov.child("trak", "tkhd")
         head.parts = [u32(0x01000001), u64(1), u64(2), u32(1), u32(0), u64(0), *head.parts[2:]]
         head.parts[6:7] = [u32(0, 0, 0, 0)]
@@ -165,23 +168,27 @@ def headers():
         media.parts = [longer, u32(1000), u64(200), media.parts[-1]]
         return moov
     yield "headers-1", "headers of version 1", changed(movie(), version_1), "1.version-1"
-    edits = {"shift": [u32(0, 1, 100, 100), u16(1) + u16(0)], "empty": [u32(0, 2, 300, -1), u16(1) + u16(0), u32(0, 0), u16(1) + u16(0)],
+    edits = {"shift": [u32(0, 1, 100, 100), u16(1) + u16(0)],
+        "empty": [u32(0, 2, 300, -1), u16(1) + u16(0), u32(0, 0), u16(1) + u16(0)],
              "64": [u32(1 << 24, 1), u64(100), struct.pack(">q", 50), u16(1) + u16(0)]}
     for name, parts in edits.items():
         track = scene()
         track.edits = Box("edts", Box("elst", *parts))
         made = movie(track)
         made.no_commands = True
-        yield f"edits-{name}", "an edit list: " + {"shift": "from a later time", "empty": "an empty edit first", "64": "of 64 bits"}[name], made, "1.edits"
+        yield f"edits-{name}", "an edit list: " + {"shift": "from a later time", "empty": "an empty edit first",
+            "64": "of 64 bits"}[name], made, "1.edits"
     for id in (7, 65541, 0x7FFFFFFF):
         yield f"track-id-{id}", f"a scene track with the ID {id}", movie(scene(id)), "1.es-id 1.track-ids"
 
     def second(moov):
         entry = stbl(moov).child("stsd", "mp4s")
         entry.parts[0] = ("head", bytes(6) + u16(2))
-        moov.child("trak", "mdia", "minf", "dinf", "dref").parts = [u32(0, 2), Box("url ", u32(0), b"other.mp4\0"), Box("url ", u32(1))]
+        moov.child("trak", "mdia", "minf", "dinf", "dref").parts = [u32(0, 2), Box("url ", u32(0), b"other.mp4\0"),
+            Box("url ", u32(1))]
         return moov
-    yield "data-reference", "samples of the second data reference, which is this file", changed(movie(), second), "1.data-reference"
+    yield "data-reference", "samples of the second data reference, which is this file", changed(movie(),
+        second), "1.data-reference"
 
 
 def tracks():
@@ -206,80 +213,6 @@ def tracks():
         entry.parts.insert(1, bytes(8) + u16(2) + u16(16) + u32(0, 44100 << 16))
         return moov
     yield "sound", "a sound track beside the scene", changed(made, audio), "1.media"
-
-
-def descriptors():
-    for count in (2, 3, 4):
-        track = scene()
-        track.es = es_descriptor(1, 3, track.config, length_bytes=count)
-        yield f"length-{count}", f"lengths of descriptors in {count} bytes", movie(track, iods=initial_object(1, length_bytes=count)), \
-            "2.length 2.length-long"
-    long = scene()
-    long.es = es_descriptor(1, 3, long.config, after=descriptor(0x80, bytes(300), length_bytes=2), length_bytes=2)
-    yield "length-200", "a descriptor of three hundred bytes", movie(long), "2.length 2.unknown"
-    none = with_media()
-    for track, config in ((none.tracks[2], None), (none.tracks[3], b"")):
-        track.config, track.es = config, es_descriptor(track.object_type, 4, config)
-    yield "no-info", "configurations without specific info, and with an empty one", none, "2.no-info"
-    options = {"depends": (0x80, u16(7)), "url": (0x40, u8(5) + b"a.mp4"), "clock": (0x20, u16(9)), "all": (0xFF, u16(7) + u8(1) + b"u" + u16(9))}
-    for name, (flags, more) in options.items():
-        made = with_media()
-        track = made.tracks[2]
-        track.es = es_descriptor(0x6C, 4, b"", flags=flags, more=more)
-        yield f"es-{name}", f"an ES_Descriptor with options: {name}", made, "2.es-options"
-    tags = [0x07, 0x08, 0x09, 0x0A, 0x0B, 0x0C, 0x0D, 0x12, 0x13, 0x14, 0x40, 0x43, 0x69, 0x7F, 0x80, 0xC0, 0xFE]
-    track = scene()
-    track.es = es_descriptor(1, 3, track.config, after=b"".join(descriptor(tag, b"\0" * 12) for tag in tags if tag >= 0x80 or tag in (0x13, 0x14)))
-    yield "unknown-descriptors", "descriptors of unknown tags in an ES_Descriptor", movie(track), "2.unknown 2.tags"
-    full = u8(0) + u8(4) + u32(1000, 0) + u8(32) + u8(0) + u8(0) + u8(0) + u16(0)
-    explicit = scene()
-    explicit.es = es_descriptor(1, 3, explicit.config, sl=descriptor(6, full))
-    yield "sl-config", "an SL configuration that is spelled out", movie(explicit), "2.es"
-    yield "iods-url", "an initial object descriptor with a URL", movie(iods=descriptor(0x10, b"\x00\x6f", u8(5) + b"a.mp4")), "3.iods-url"
-    absent = movie()
-    absent.change = lambda moov: moov.remove("iods")
-    absent.iods = None
-    yield "iods-absent", "no initial object descriptor", absent, "3.iods-absent"
-    turned = with_media()
-    ids = [descriptor(0x0E, u32(id)) for id in (2, 1)]
-    turned.iods = descriptor(0x10, b"\x00\x4f\xff\xfe\xff\xfe\xfe", *ids)
-    yield "iods-reversed", "the object descriptor track before the scene in the initial object descriptor", turned, "3.iods"
-    inline = movie(iods=initial_object(1, head=b"\x04\x1f", profiles=b"\1\2\3\4\5"))
-    yield "iods-profiles", "other ID, inline profiles and levels", inline, "3.iods"
-
-
-def object_descriptors():
-    update = od_command(1, object_descriptor(10, es_ref(1)))
-    removed = BitWriter()
-    for id in (10, 11, 1022):
-        removed.u(10, id)
-    remove_es = u16(10 << 6) + u16(1)
-    cases = {
-        "update": ("object descriptors with references, in one command and in two", [update + od_command(1, object_descriptor(11, es_ref(2), es_ref(1)))],
-                   "4.update 4.reference"),
-        "remove": ("object descriptors removed, three IDs in 30 bits", [update, od_command(2, removed.bytes())], "4.remove"),
-        "url": ("an object descriptor somewhere else", [od_command(1, object_descriptor(12, url=b"http://example.org/b.mp4"))], "4.url"),
-        "es-remove": ("streams removed by reference", [update, od_command(7, remove_es)], "4.es-remove"),
-        "es-remove-id": ("streams removed by ES_ID", [update, od_command(4, remove_es)], "4.es-remove"),
-        "ipmp": ("commands that are not about streams", [update + od_command(5, b"\0") + od_command(6, b"\0\1")], "4.update"),
-        "empty": ("a command without descriptors", [od_command(1) + od_command(2)], "4.update 4.remove"),
-        "user": ("a command of an unknown tag", [update + od_command(0xC5, b"anything")], "2.unknown"),
-        "whole-es": ("a whole ES_Descriptor in the command", [od_command(1, object_descriptor(10, es_descriptor(0x6C, 4, b"", es_id=10), tag=1))], "2.tags 4.update"),
-        "extensions": ("an object descriptor with further descriptors", [od_command(1, object_descriptor(
-            10, es_ref(1), descriptor(0x40, b"\0" * 9), descriptor(0xD0, b"xyz")))], "2.unknown"),
-        "long": ("a command of two hundred descriptors", [od_command(1)[:0] + descriptor(1, *[object_descriptor(i, es_ref(1)) for i in range(1, 201)],
-                                                                                 length_bytes=2)], "4.update 2.length"),
-    }
-    for name, (about, commands, covers) in cases.items():
-        yield f"od-{name}", about, with_media(commands), covers
-    for name, align in (("aligned", True), ("unaligned", False)):
-        out = BitWriter()
-        out.u(10, 10)
-        if align:
-            out.u(6, 0)
-        out.data(es_ref(2))
-        if not align:
-            yield f"od-es-update-{name}", "streams of one object, directly behind its 10 bits", with_media([update, od_command(3, out.bytes())]), "4.es-update"
 
 
 class Fragmented(Movie):
@@ -314,7 +247,8 @@ class Fragmented(Movie):
                 entries.append(u32(*[value for flag, value in parts if self.flags & flag]))
             head = u32(self.flags | 1, len(samples), size + 8) + (u32(0x02000000) if self.flags & 4 else b"")
             begin = [u32(0x000001, track.id), u64(len(file))] if self.base else [u32(0x020000, track.id)]
-            parts = [Box("tfhd", *begin)] + ([Box("tfdt", u32(1 << 24), u64(times[0]))] if self.tfdt else []) + [Box("trun", head, *entries)]
+            parts = [Box("tfhd", *begin)] + ([Box("tfdt", u32(1 << 24),
+                u64(times[0]))] if self.tfdt else []) + [Box("trun", head, *entries)]
             moof = Box("moof", Box("mfhd", u32(0, number + 1)), Box("traf", *parts))
             size = moof.length()
         moof.write(file, {})
@@ -322,14 +256,18 @@ class Fragmented(Movie):
 
 
 def fragments():
-    yield "fragments", "two fragments behind a movie with samples", Fragmented(scene(units=7), [3, 2], 0x300), "1.fragments"
+    yield "fragments", "two fragments behind a movie with samples", Fragmented(scene(units=7), [3, 2],
+        0x300), "1.fragments"
     even = scene(units=5)
-    yield "fragments-defaults", "durations from the defaults, places from the fragment", Fragmented(even, [4], 0x200, (100, 0, 0), base=False), "1.fragments"
-    yield "fragments-no-time", "fragments that go on where the last ended", Fragmented(scene(units=6), [2, 2], 0x300, tfdt=False), "1.fragments"
-    yield "fragments-flags", "flags and composition offsets for each sample", Fragmented(scene(units=4), [3], 0xF00), "1.fragments 1.stss"
+    yield "fragments-defaults", "durations from the defaults, places from the fragment", Fragmented(even, [4], 0x200,
+        (100, 0, 0), base=False), "1.fragments"
+    yield "fragments-no-time", "fragments that go on where the last ended", Fragmented(scene(units=6), [2, 2], 0x300,
+        tfdt=False), "1.fragments"
+    yield "fragments-flags", "flags and composition offsets for each sample", Fragmented(scene(units=4), [3],
+        0xF00), "1.fragments 1.stss"
     yield "fragments-only", "no sample in the movie", Fragmented(scene(units=3), [2, 1], 0x300), "1.fragments"
 
 
 def all_cases():
-    for part in (layout, tables, headers, tracks, descriptors, object_descriptors, fragments):
+    for part in (layout, tables, headers, tracks, fragments):
         yield from part()

@@ -25,9 +25,11 @@ def files():
     file, places = made()
     yield "empty", "a file of no bytes", b"", "malformed", 0, "1.box"
     yield "not-a-box", "three bytes", file[:3], "truncated", 0, "1.box"
-    yield "cut-moov", "a file that ends inside the movie", file[:places[STBL]], "truncated", 8 * places["moov"], "1.box-lies"
+    yield "cut-moov", "a file that ends inside the movie", file[:places[STBL]], "truncated", 8 * places[
+        "moov"], "1.box-lies"
     late, at = made(good.movie(order=("ftyp", "mdat", "moov")))
-    yield "cut-last-byte", "a file without its last byte, inside the movie", late[:-1], "truncated", 8 * at["moov"], "1.box-lies"
+    yield "cut-last-byte", "a file without its last byte, inside the movie", late[:-1], "truncated", 8 * at[
+        "moov"], "1.box-lies"
     yield "cut-data", "a file that ends inside its data", file[:-200], "truncated", None, "1.samples-inside"
     yield "no-movie", "a file of data alone", made(good.movie(order=("ftyp", "mdat")))[0], "malformed", None, "1.moov"
     first = good.movie()
@@ -43,9 +45,11 @@ def files():
     yield "box-large-size-15", "a box with a size of 64 bits of fifteen bytes", broken, "malformed", bit, "1.large-size"
     broken, bit = patched("mdat", u64((1 << 64) - 1), 8, large)
     yield "box-large-size-huge", "a box of all bytes that 64 bits can say", broken, "truncated", bit, "1.large-size 1.box-lies"
-    for box in ("moov/trak", "moov/trak/mdia", STBL, STBL + "/stsz", STBL + "/stsd", STBL + "/stsd/mp4s", STBL + "/stsd/mp4s/esds"):
+    for box in ("moov/trak", "moov/trak/mdia", STBL, STBL + "/stsz", STBL + "/stsd", STBL + "/stsd/mp4s",
+        STBL + "/stsd/mp4s/esds"):
         broken, bit = patched(box, u32(0x00FFFFFF))
-        yield "lies-" + box.rsplit("/", 1)[-1], f"the box {box.rsplit('/', 1)[-1]} ends behind the one it is in", broken, "truncated", bit, "1.box-lies"
+        yield "lies-" + box.rsplit("/",
+            1)[-1], f"the box {box.rsplit('/', 1)[-1]} ends behind the one it is in", broken, "truncated", bit, "1.box-lies"
     yield "moov-cut-by-size", "a movie that ends in the middle of a track", *_shrunk(), "1.box-lies"
 
 
@@ -65,8 +69,10 @@ def without(*path):
 
 def missing():
     base = ("trak", "mdia", "minf", "stbl")
-    for path in (("mvhd",), ("trak", "tkhd"), ("trak", "mdia"), ("trak", "mdia", "mdhd"), ("trak", "mdia", "hdlr"), ("trak", "mdia", "minf"),
-                 ("trak", "mdia", "minf", "stbl"), (*base, "stsd"), (*base, "stsz"), (*base, "stsc"), (*base, "stco"), (*base, "stts")):
+    for path in (("mvhd",), ("trak", "tkhd"), ("trak", "mdia"), ("trak", "mdia", "mdhd"), ("trak", "mdia", "hdlr"),
+        ("trak", "mdia", "minf"),
+                 ("trak", "mdia", "minf", "stbl"), (*base, "stsd"), (*base, "stsz"), (*base, "stsc"), (*base, "stco"),
+                     (*base, "stts")):
         file, places = made(change=without(*path))
         parent = "/".join(("moov", *path[:-1]))
         yield "no-" + path[-1], f"no box {path[-1]} in {path[-2] if len(path) > 1 else 'moov'}", file, "malformed", 8 * places[parent] + 64, "1.tables-agree"  # where the parent's content begins
@@ -126,10 +132,12 @@ def tables():
     sync = good.scene()
     sync.sync = [1, 9]
     file, places = made(Movie([sync]))
-    yield "sync-behind", "a random access point behind the last sample", file, "malformed", 8 * places[f"{STBL}/stss.samples"] + 32, "1.stss"
+    yield "sync-behind", "a random access point behind the last sample", file, "malformed", 8 * places[
+        f"{STBL}/stss.samples"] + 32, "1.stss"
     sync.sync = [0]
     file, places = made(Movie([sync]))
-    yield "sync-0", "a random access point before the first sample", file, "malformed", 8 * places[f"{STBL}/stss.samples"], "1.stss"
+    yield "sync-0", "a random access point before the first sample", file, "malformed", 8 * places[
+        f"{STBL}/stss.samples"], "1.stss"
 
     def odd(moov):
         good.replaced(good.stbl(moov), "stsz", Box("stz2", ("bits", u32(0, 12, 3)), bytes(6)))
@@ -144,11 +152,13 @@ def tables():
     def elsewhere(moov):
         moov.child("trak", "mdia", "minf", "dinf", "dref").parts[1:] = [Box("url ", u32(0), b"other.mp4\0")]
         return moov
-    yield "data-elsewhere", "samples that lie in another file", made(change=elsewhere)[0], "unsupported", None, "1.data-reference"
+    yield "data-elsewhere", "samples that lie in another file", made(change=elsewhere)[
+        0], "unsupported", None, "1.data-reference"
 
 
 def fragments():
-    for name, field, about in (("track", 12, "a track that is not there"), ("samples", None, "more samples than the fragment holds")):
+    for name, field, about in (("track", 12, "a track that is not there"),
+        ("samples", None, "more samples than the fragment holds")):
         movie = good.Fragmented(good.scene(units=5), [3], 0x300)
         file, _ = movie.write()
         tfhd, trun = file.index(b"tfhd") - 4, file.index(b"trun") - 4
@@ -157,10 +167,12 @@ def fragments():
         else:
             at, value = trun + 12, 0x10000000
         code = "malformed" if field else "truncated"
-        yield f"fragment-{name}", f"a fragment of {about}", file[:at] + u32(value) + file[at + 4:], code, 8 * at, "1.fragments"
+        yield f"fragment-{name}", f"a fragment of {about}", file[:at] + u32(value) + file[
+            at + 4:], code, 8 * at, "1.fragments"
     movie = good.Fragmented(good.scene(units=5), [3], 0x300)
     file, _ = movie.write()
-    yield "fragment-cut", "a file that ends inside a fragment", file[:file.index(b"trun") + 8], "truncated", 8 * (file.index(b"moof") - 4), "1.fragments 1.box-lies"
+    yield "fragment-cut", "a file that ends inside a fragment", file[:file.index(b"trun") + 8], "truncated", 8 * (
+        file.index(b"moof") - 4), "1.fragments 1.box-lies"
 
 
 def descriptors():
@@ -171,25 +183,34 @@ def descriptors():
         # The seven bits of the length: behind the tag and the bit that says whether more follow.
         place = 8 * (places[f"{STBL}/stsd/mp4s/esds.descriptor"] + delta) + 9 if delta is not None else None
         return name, about, file, code, place, covers
-    yield with_es(lambda t: b"\x03\xff\xff\xff\xff\xff\x01" + es_descriptor(1, 3, t.config)[2:], "malformed", None, "2.length-endless",
+    yield with_es(lambda t: b"\x03\xff\xff\xff\xff\xff\x01" + es_descriptor(1, 3, t.config)[2:], "malformed", None,
+        "2.length-endless",
                   "a length of six bytes", "length-endless")
     yield with_es(lambda t: descriptor(3, es_descriptor(1, 3, t.config)[2:], size=100), "truncated", 0, "2.ends-inside",
                   "an ES_Descriptor that ends behind its box", "es-long")
-    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(4, bytes(13), size=99)), "truncated", 5, "2.ends-inside",
+    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(4, bytes(13), size=99)), "truncated", 5,
+        "2.ends-inside",
                   "a configuration that ends behind its ES_Descriptor", "config-long")
-    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(4, u8(1) + u8(0x0D) + bytes(11), descriptor(5, b"\0", size=50))), "truncated", 20,
+    yield with_es(lambda t: descriptor(3, u16(0) + u8(0),
+        descriptor(4, u8(1) + u8(0x0D) + bytes(11), descriptor(5, b"\0", size=50))), "truncated", 20,
                   "2.ends-inside", "specific info that ends behind its configuration", "info-long")
-    yield with_es(lambda t: descriptor(3, u16(0)), "truncated", None, "2.es", "an ES_Descriptor of two bytes", "es-short")
-    yield with_es(lambda t: descriptor(3, u16(0) + u8(0x40) + u8(200) + b"a"), "truncated", None, "2.es-options", "a URL longer than its descriptor", "es-url")
-    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(4, b"\1\r\0")), "truncated", None, "2.config", "a configuration of three bytes", "config-short")
-    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(6, b"\2")), "malformed", None, "2.es", "an ES_Descriptor without a configuration", "no-config")
+    yield with_es(lambda t: descriptor(3, u16(0)), "truncated", None, "2.es", "an ES_Descriptor of two bytes",
+        "es-short")
+    yield with_es(lambda t: descriptor(3, u16(0) + u8(0x40) + u8(200) + b"a"), "truncated", None, "2.es-options",
+        "a URL longer than its descriptor", "es-url")
+    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(4, b"\1\r\0")), "truncated", None, "2.config",
+        "a configuration of three bytes", "config-short")
+    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), descriptor(6, b"\2")), "malformed", None, "2.es",
+        "an ES_Descriptor without a configuration", "no-config")
     nested = b""
     for _ in range(120):
         nested = descriptor(4, u8(1) + u8(0x0D) + bytes(11), nested, length_bytes=3)
-    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), nested, length_bytes=3), "limit_exceeded", None, "2.ends-inside",
+    yield with_es(lambda t: descriptor(3, u16(0) + u8(0), nested, length_bytes=3), "limit_exceeded", None,
+        "2.ends-inside",
                   "a hundred and twenty configurations within each other", "descriptors-deep")
     file, places = made(Movie([good.scene()], iods=initial_object(1)[:-3]))
-    yield "iods-cut", "an initial object descriptor that ends behind its box", file, "truncated", 8 * places["moov/iods.descriptor"] + 9, "2.ends-inside 3.iods"
+    yield "iods-cut", "an initial object descriptor that ends behind its box", file, "truncated", 8 * places[
+        "moov/iods.descriptor"] + 9, "2.ends-inside 3.iods"
 
 
 def all_cases():

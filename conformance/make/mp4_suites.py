@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-2-Clause
 # SPDX-FileCopyrightText: 2026 the afx authors
 """Writes suites/mp4-syntax: MP4 files and object descriptors."""
+from itertools import chain
+
+import descriptor_cases
 import mp4_cases
 from suite_writer import Suite, sha256
 
@@ -22,7 +25,7 @@ def commands_of(movie):
 
 def main():
     suite = Suite("mp4-syntax", "MP4 files and object descriptors", ["../rules/mp4.json", "../rules/bifs.json"])
-    for name, about, movie, covers in mp4_cases.all_cases():
+    for name, about, movie, covers in chain(mp4_cases.all_cases(), descriptor_cases.all_cases()):
         file, _ = movie.write()
         expect = [{"check": "decode", "as": "tracks", **suite.put_json(name + ".tracks.json", tracks_of(movie))}]
         if hasattr(movie.tracks[0], "stream") and not hasattr(movie, "no_commands"):

@@ -4,7 +4,7 @@
 import itertools
 
 import node_facts as facts
-from node_facts import LARGEST, NODES, f32
+from node_facts import NODES, f32
 from quantizer import number
 from scene_values import Buffer, Image, Node
 from command_writer import command

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the afx authors
 """Quantization as bifs.md 9 has it, in binary32 with rounding after every operation."""
 import math
+import struct
 
 from node_facts import LARGEST, NODES, f32
 
@@ -110,7 +111,6 @@ def rotation_of(components):
 
 def efficient(value):
     """Of a float that is not infinite: its parts (length, value) by name, and what they are decoded to."""
-    import struct
     word = struct.unpack(">I", struct.pack(">f", value))[0]
     negative, exponent, mantissa = word >> 31, (word >> 23 & 255) - 127, (word & 0x7FFFFF) >> 9
     if word << 1 & 0xFFFFFFFF == 0:

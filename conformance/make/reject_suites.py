@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-2-Clause
 # SPDX-FileCopyrightText: 2026 the afx authors
 """Writes suites/bifs-rejects and suites/mp4-rejects: what a decoder must refuse, and where."""
+from itertools import chain
+
 import bifs_reject_cases
 import config_reject_cases
 import mp4_reject_cases
+import proto_reject_cases
 from mp4_boxes import bit_in_file, scene_file
 from suite_writer import Suite
 
@@ -24,12 +27,13 @@ def add_fault(suite, name, about, fault):
 def add_files(suite, area, cases):
     for name, about, file, code, bit, covers in cases:
         place = {} if bit is None else {"bit": bit}
-        suite.case(name, about, "mp4", file, expected(code, place, about), [f"{area}.{rule}" for rule in covers.split()])
+        suite.case(name, about, "mp4", file, expected(code, place, about),
+            [f"{area}.{rule}" for rule in covers.split()])
 
 
 def main():
     suite = Suite("bifs-rejects", "Scenes that are to be refused", ["../rules/bifs.json"])
-    for name, about, fault in bifs_reject_cases.all_cases():
+    for name, about, fault in chain(bifs_reject_cases.all_cases(), proto_reject_cases.all_cases()):
         add_fault(suite, name, about, fault)
     add_files(suite, "bifs", config_reject_cases.all_cases())
     suite.close()

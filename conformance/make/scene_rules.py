@@ -243,7 +243,8 @@ def element_rules():
     for name, node in facts.NODES.items():
         yield rule("node", name, "6", f"{name} is coded with all its {len(node.mode('def'))} DEF fields.")
     for name in COMMANDS:
-        yield rule("command", name, "3" if name in COMMANDS[:11] else "5", f"The command {name} is coded as its table says.")
+        yield rule("command", name, "3" if name in COMMANDS[:11] else "5",
+            f"The command {name} is coded as its table says.")
     for name in FIELD_TYPES:
         yield rule("field-type", name, "8", f"Values of the type {name}.")
     for category in CATEGORIES:
@@ -301,7 +302,8 @@ def main():
     bifs = rules_of("bifs", BIFS) + list(element_rules())
     for area, source, rules in (("bifs", "spec/bifs.md 1 to 14 and facts/mpeg4-nodes.json", bifs),
                                 ("mp4", "spec/bifs.md 15", rules_of("mp4", MP4)),
-                                ("scene-text", "spec/bifs.md 17, and VRML97 that it builds on", rules_of("scene-text", TEXT))):
+                                ("scene-text", "spec/bifs.md 17, and VRML97 that it builds on",
+                                    rules_of("scene-text", TEXT))):
         text = json.dumps({"$schema": "../rules.schema.json", "area": area, "source": source, "rules": []})[:-3]
         text += "[\n" + ",\n".join(json.dumps(rule) for rule in rules) + "\n]}\n"
         with open(os.path.join(folder, area + ".json"), "w", encoding="utf-8") as file:

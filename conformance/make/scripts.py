@@ -9,7 +9,7 @@ A comma makes a compound: a list of expressions. Statements: ("if", c, block, bl
 ("while", c, block), ("return", c), ("do", c), ("break",), ("continue",), ("switch", c, [(1, block)], block).
 A block is a list of statements, or one statement alone."""
 from bits import bits_for
-from node_facts import EVENTS, INTERFACE_TYPES, NODES, Definition, Field
+from node_facts import INTERFACE_TYPES, NODES, Definition
 
 UNARY = {"-x": 1, "!x": 2, "~x": 3, "++x": 4, "--x": 5, "x++": 6, "x--": 7}
 BINARY = {name: 17 + i for i, name in enumerate(
@@ -221,7 +221,8 @@ def write_field(values, script, field):
         out.u(1, int(linked), "isIS")
         if linked:
             interface = values.scope.interface
-            out.u(bits_for(len(interface.fields) - 1), interface.index("all", script.links[field.name]), "interfaceField")
+            out.u(bits_for(len(interface.fields) - 1), interface.index("all", script.links[field.name]),
+                "interfaceField")
             return found
     if field.event == "field":
         out.u(1, int(field.default is not None), "hasValue")
