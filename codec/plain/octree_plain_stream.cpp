@@ -82,8 +82,9 @@ class StreamDecoder {
   uint32_t u(unsigned width) {
     if (!ok()) return 0;
     if (at_ + width > bits_.size() && !rules_.stream.missing_bits) fail("truncated", at_);
+    if (!ok()) return 0;
     uint64_t value = 0;
-    for (unsigned i = 0; i < width && ok(); ++i, ++at_)
+    for (unsigned i = 0; i < width; ++i, ++at_)
       value = 2 * value + (at_ < bits_.size() && bits_[at_] ? 1 : 0);
     const bool negative = rules_.bits.is_signed && width > 0 && (value >> (width - 1) & 1) != 0;
     return static_cast<uint32_t>(negative ? value - (uint64_t{1} << width) : value);
