@@ -118,3 +118,7 @@ def random_images(octree, levels, textures, seed, of_ten=7):
 
 def frame(octree, images=()):
     return {"octree": list(octree), "voxelImageIndex": list(images)}
+
+
+def textured(octree, levels, textures, seed, of_ten=7):
+    return frame(octree, random_images(octree, levels, textures, seed, of_ten))

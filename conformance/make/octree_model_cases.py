@@ -6,7 +6,7 @@ import json
 import os
 import zlib
 
-from octree_rule_cases import coarse_values, compact, covered_by_levels
+from octree_cases import coarse_values, compact, covered_by_levels
 
 ORIGINS = {
     "model": {"text": "A slow, literal model of the coder that shares no code with this project.",

@@ -3,8 +3,8 @@
 """The suite octree-rejects: damaged and hostile streams, and what is whole of the truncated ones."""
 import octree_encoder as encoder
 import octree_fields as fields
+from octree_cases import coarse_values, compact, values_of
 from octree_fields import frame
-from octree_rule_cases import ONE_VOXEL, coarse_values, compact, textured, values_of
 
 START = encoder.START_CODE.to_bytes(4, "big")
 GREATEST = 2**31 - 1
@@ -146,7 +146,7 @@ def add_start_codes(cases):
 
 def add_small_frames(cases):
     for name, resolution, textures, model, about in [
-            ("two-bits", 1, 0, ONE_VOXEL, "a frame without symbols"),
+            ("two-bits", 1, 0, frame([]), "a frame without symbols"),
             ("voxel", 1, 127, frame([], [100]), "the texture symbol of a single voxel"),
             ("root", 2, 0, frame([105]), "the root's symbol"),
             ("root-textured", 2, 3, frame([105], [2]), "the root's symbols"),
@@ -177,7 +177,7 @@ def add_cuts(cases):
     for size in (8, 12, 16, 20):
         cases.cut(f"cut-deepest-{size}", "the data end in a chain of 31 levels",
                   "7.truncated-level 6.whole-symbols", stream, stream.starts[0] + size)
-    stream = Stream(256, 3, [textured(fields.random_tree(8, 9, 900), 8, 3, 10)])
+    stream = Stream(256, 3, [fields.textured(fields.random_tree(8, 9, 900), 8, 3, 10)])
     for part in (1, 3, 5, 7, 9):
         cases.cut(f"cut-stage-2-{part}", "the data end in stage 0, 1 or 2",
                   "7.truncated-level 7.complete-level", stream, len(stream.data) * part // 10)
@@ -189,7 +189,7 @@ def add_frames(cases):
     for more in (0, 1, 2):
         cases.cut(f"cut-second-{more}", "the first frame is whole, the second is not", "2.another-frame 7.truncated-root",
                   two, two.starts[1] + more)
-    many = Stream(1, 0, [ONE_VOXEL] * 6)
+    many = Stream(1, 0, [frame([])] * 6)
     cases.cut("cut-sixth", "five frames are whole, of the sixth there is the start code", "2.another-frame 6.no-symbols",
               many, many.starts[5])
 
