@@ -107,6 +107,52 @@ TEST_F(ConformanceProgram, OurOwnDecoderPassesThroughTheDoorOfOthers) {
   EXPECT_EQ(outcome.out, "1 passed, 0 failed, 0 not run\n");
 }
 
+/// A decoder that shares nothing with us: another language, from the text alone.
+class DecoderInPython : public ConformanceProgram {
+ protected:
+  void SetUp() override {
+    ConformanceProgram::SetUp();
+    script_ = read_file(AFX_SOURCE_DIR "/conformance/octree_decoder.py");
+    ASSERT_NE(script_, "");
+  }
+  void break_rule(const std::string& right, const std::string& wrong) {
+    const size_t at = script_.find(right);
+    ASSERT_NE(at, std::string::npos) << right;
+    script_.replace(at, right.size(), wrong);
+  }
+  [[nodiscard]] Outcome judge(const std::string& filter) const {
+    write_file(file("decoder.py"), script_);
+    return run("conformance " AFX_SOURCE_DIR "/conformance/suites --filter '" + filter +
+               "' --decoder '/usr/bin/python3 decoder.py {in} {out} --levels {levels} --max-nodes "
+               "1000000'");
+  }
+
+  std::string script_;
+};
+
+TEST_F(DecoderInPython, PassesTheOctreeSuitesButForEncoding) {
+  const Outcome outcome = judge("octree-r*");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::EndsWith(" passed, 0 failed, 0 not run\n"));
+}
+
+TEST_F(DecoderInPython, WithAFaultOfItsTextureTableFailsAndIsToldWhere) {
+  break_rule("self.coder.symbol(self.textures, 32, 512)",
+             "self.coder.symbol(self.textures, 31, 512)");
+  const Outcome outcome = judge("octree-rules/texture*");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err,
+              testing::ContainsRegex("decode as octree failed: /frames/0/voxelImageIndex/[0-9]+ is "
+                                     "[0-9]+ \\(expected [0-9]+\\), coded at bit [0-9]+"));
+}
+
+TEST_F(DecoderInPython, ThatFindsNoMissingStartCodeFailsTheRejections) {
+  break_rule("!= START_CODE", "!= START_CODE and False");
+  const Outcome outcome = judge("octree-rejects/start-code*");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("(expected malformed at bit "));
+}
+
 TEST_F(ConformanceProgram, ADecoderThatCrashesFails) {
   make_suite("octree", "octree", octree_values);
   const Outcome outcome = run("conformance s --decoder 'kill -SEGV $$ # {in}'");
