@@ -229,6 +229,7 @@ void add_conformance(CLI::App& program, Session& session) {
   add_common_options(*command, session, {.outputs = true, .verbose = true, .progress = true});
   command->require_subcommand(0, 1);
   add_answer(*command, session);
+  add_generate(*command, session);
   command->callback([options, command, &session] {
     if (!command->get_subcommands().empty()) return;  // it has done its work
     session.command = "conformance";

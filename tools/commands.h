@@ -22,6 +22,8 @@ void add_render(CLI::App& program, Session& session);
 void add_view(CLI::App& program, Session& session);
 void add_compare(CLI::App& program, Session& session);
 void add_conformance(CLI::App& program, Session& session);
+/// A subcommand of conformance.
+void add_generate(CLI::App& conformance, Session& session);
 void add_completion(CLI::App& program, Session& session);
 
 }  // namespace afx::tools
