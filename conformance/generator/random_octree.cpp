@@ -21,8 +21,8 @@ struct Shape {
 
 size_t random_size(Choices& choices) {
   const uint32_t size = choices.below(256);
-  if (size == 255) return 12000;
-  if (size >= 250) return 4000;  // the third stage begins behind 2560 symbols
+  if (size == 255) return 8000;
+  if (size >= 250) return 3000;  // the third stage begins behind 2560 symbols
   return size >= 160 ? 400 : 40;
 }
 
