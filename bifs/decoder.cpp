@@ -106,6 +106,7 @@ void FrameDecoder::read_frame(const BifsDecoder::CommandSink& sink, CommandFrame
     more = u(1, "moreCommands") != 0;
     read_buffers(!more);
     if (!ok()) return;
+    if (buffers_.empty()) forget_bodies();
     // Who hears of a command hears of what its buffers hold.
     for (; buffers_.empty() && told < frame.commands.size(); ++told)
       if (sink) sink(frame.commands[told], state_.scene);
@@ -117,6 +118,12 @@ void FrameDecoder::read_frame(const BifsDecoder::CommandSink& sink, CommandFrame
   in_->align(diagnostics_);
   if (in_->bits_left() > 0)
     warn("trailing_bytes", std::to_string(in_->bits_left() / 8) + " bytes behind the frame");
+}
+
+/// The IDs of nodes in PROTO bodies mean nothing outside, but for the command buffers there.
+void FrameDecoder::forget_bodies() {
+  for (const nodes::ScopeId body : ended_bodies_) state_.ids.erase(body);
+  ended_bodies_.clear();
 }
 
 /// Decodes the command buffers of the commands so far. They may speak of nodes that come later in

@@ -91,6 +91,7 @@ class FrameDecoder {
 
   // decoder.cpp: the frame, and what all parts use
   void read_frame(const BifsDecoder::CommandSink& sink, CommandFrame& frame);
+  void forget_bodies();
   void read_buffers(bool last);
   std::optional<Error> read_buffer(const Buffer& buffer);
   uint32_t u(unsigned bits, std::string_view name) { return in_->u(bits, name); }
@@ -214,8 +215,9 @@ class FrameDecoder {
   nodes::ProtoId proto_;  ///< the PROTO whose body is being read
   const Quantizer* quantizer_ = nullptr;
   std::optional<Quantizer> frame_quantizer_;
-  std::deque<Buffer> buffers_;
-  uint32_t buffer_depth_ = 0;  ///< 0: not in a buffer
+  std::deque<Buffer> buffers_;                ///< not read yet
+  std::vector<nodes::ScopeId> ended_bodies_;  ///< whose IDs the buffers may need
+  uint32_t buffer_depth_ = 0;                 ///< 0: not in a buffer
 };
 
 }  // namespace afx::bifs

@@ -39,7 +39,7 @@ ProtoId FrameDecoder::read_proto() {
     read_proto_body(proto);
   }
   read_interface_coding(proto);
-  state_.ids.erase(scope_);
+  ended_bodies_.push_back(scope_);
   scope_ = outer;
   proto_ = outer_proto;
   if (!ok()) return {};

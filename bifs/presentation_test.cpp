@@ -221,4 +221,28 @@ TEST_P(ThroughText, FromTheSecondTimeOnTheStreamsAreTheSame) {
   EXPECT_EQ(to_json(files[0]), to_json(files[1]));
 }
 
+// The buffer is read when the command is whole, and the body of the PROTO has ended then.
+TEST(CommandBuffers, InAProtoBodySpeakOfTheNodesThere) {
+  Diagnostics diagnostics;
+  auto read = read_bt(
+      "PROTO P [] { Group { children [ DEF A Transform {} DEF C Conditional { buffer {\n"
+      "REPLACE A.scale BY 1 2 3 } } ] } } DEF A Group {}",
+      {}, diagnostics);
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  ASSERT_TRUE(set_up_encoding(read.value(), {}, diagnostics).ok());
+  RawBifsWriter writer({}, diagnostics);
+  ASSERT_TRUE(play(read.value(), writer, diagnostics).ok());
+  const auto bytes = write_raw_bifs(writer.scene());
+  ASSERT_TRUE(bytes.ok());
+  const auto scene = decode_presentation(
+      mp4_source(bytes.value()), movie_of_raw_bifs(writer.scene()), {}, nullptr, diagnostics);
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  const auto& body = scene.value().scope(scene.value().proto(nodes::ProtoId{0U}).body);
+  const auto* conditional = scene.value().find<nodes::CommandBuffer>(body.names.at("C"), "buffer");
+  const auto* buffer = dynamic_cast<const BufferedCommands*>(conditional->content.get());
+  ASSERT_NE(buffer, nullptr);
+  ASSERT_EQ(buffer->commands.size(), 1U);
+  EXPECT_EQ(std::get<FieldReplacement>(buffer->commands[0]).target.node, body.names.at("A"));
+}
+
 }  // namespace afx::bifs
