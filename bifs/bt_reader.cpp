@@ -234,6 +234,17 @@ void BtTextReader::end_epoch() {
   if (!in_.ok()) return;
   assign_node_ids(scene_, like_gpac_ ? NodeId{uint32_t{0}} : epoch_);  // GPAC goes on counting
   proto_ids_.assign(scene_);
+  assign_body_route_ids();
+}
+
+/// The ROUTEs in the bodies of PROTOs that have been declared since: IDs count for themselves
+/// there.
+void BtTextReader::assign_body_route_ids() {
+  for (; bodies_seen_ < scene_.proto_count(); ++bodies_seen_) {
+    RouteIds ids;
+    for (nodes::Route& route : scene_.scope(scene_.proto(ProtoId{bodies_seen_}).body).routes)
+      if (!route.name.empty()) route.id = ids.id_of_new(route.name, !like_gpac_);
+  }
 }
 
 nodes::CommandBuffer BtTextReader::read_command_buffer(ScopeId scope) {

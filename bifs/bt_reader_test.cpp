@@ -84,6 +84,19 @@ TEST(BtReader, ACommandOutsideOfAtComesAfterTheScene) {
   EXPECT_EQ(std::get<ProtoInsertion>(commands(one, 0)[2]).protos.size(), 1U);
 }
 
+TEST(BtReader, RoutesInAProtoBodyHaveIdsOfTheirOwn) {
+  const Presentation one = read(
+      "PROTO P [] { DEF A Transform {} DEF R4 ROUTE A.scale TO A.scale\n"
+      "DEF r ROUTE A.scale TO A.scale ROUTE A.scale TO A.scale }\n"
+      "DEF A Transform {}\nDEF R4 ROUTE A.scale TO A.scale");
+  const auto& body = one.scene.scope(one.scene.proto(nodes::ProtoId{0U}).body).routes;
+  ASSERT_EQ(body.size(), 3U);
+  EXPECT_EQ(body[0].id, 5U);
+  EXPECT_EQ(body[1].id, 1U);
+  EXPECT_EQ(body[2].id, 0U);
+  EXPECT_EQ(std::get<SceneReplacement>(commands(one, 0)[0]).routes.at(0).id, 5U);
+}
+
 TEST(BtReader, CommandsOfOneTimeAreOneAccessUnit) {
   const Presentation one =
       read(std::string(kLists) + "APPEND TO P.key 2\nAT 5 { DELETE P.key[0] }\nAT 5 { DELETE P }");

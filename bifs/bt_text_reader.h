@@ -50,6 +50,7 @@ class BtTextReader final : private nodes::SceneTextReader {
   bool is_top_node(nodes::NodeId id) const;
   void begin_epoch();
   void end_epoch();
+  void assign_body_route_ids();
   void read_buffers();
   nodes::CommandBuffer read_command_buffer(nodes::ScopeId scope) override;
 
@@ -124,6 +125,7 @@ class BtTextReader final : private nodes::SceneTextReader {
   std::deque<Buffer> buffers_;
   uint32_t buffer_depth_ = 0;  ///< of the buffer that is being read; 0: none
   ProtoIds proto_ids_;
+  size_t bodies_seen_ = 0;  ///< PROTOs whose ROUTEs have their IDs
   /// Lists of nodes as commands have left them: what an XREPLACE of a child may mean.
   std::map<std::pair<nodes::NodeId, nodes::FieldIndex>, std::vector<nodes::NodeId>> lists_;
 };
