@@ -97,6 +97,14 @@ TEST(BtReader, RoutesInAProtoBodyHaveIdsOfTheirOwn) {
   EXPECT_EQ(std::get<SceneReplacement>(commands(one, 0)[0]).routes.at(0).id, 5U);
 }
 
+TEST(BtWriter, ARouteOfTheSceneKeepsItsNameBesideOneInAProtoBodyOfTheSameId) {
+  Presentation one = read(
+      "DEF A Transform {}\nDEF R0 ROUTE A.scale TO A.scale\n"
+      "AT 1 { INSERTPROTO [ PROTO P [] { DEF A Transform {} DEF r ROUTE A.scale TO A.scale } ]\n"
+      "DELETE ROUTE R0 }");
+  EXPECT_THAT(write(one), HasSubstr("DELETE ROUTE R0"));
+}
+
 TEST(BtReader, CommandsOfOneTimeAreOneAccessUnit) {
   const Presentation one =
       read(std::string(kLists) + "APPEND TO P.key 2\nAT 5 { DELETE P.key[0] }\nAT 5 { DELETE P }");

@@ -31,7 +31,10 @@ std::string_view TextNames::name(nodes::NodeId id) {
 
 std::string TextNames::route_name(const nodes::Route& route) {
   if (route.id == 0) return {};
-  return routes_[route.id] = unique(taken_routes_, route.name, 'R', route.id);
+  const nodes::ScopeId scope = scene_->node(route.from).scope;
+  std::string name = unique(taken_routes_[scope], route.name, 'R', route.id);
+  if (scope == nodes::Scene::kMain) routes_[route.id] = name;
+  return name;
 }
 
 std::string TextNames::route_name(uint32_t id) const {

@@ -29,7 +29,7 @@ class TextNames final : public nodes::NodeNaming {
   std::string_view name(nodes::NodeId id) override;
   std::string route_name(const nodes::Route& route) override;
   bool can_write(const nodes::Route&) override { return true; }
-  /// The name of the ROUTE with an ID.
+  /// The name of the ROUTE of the scene itself with an ID.
   [[nodiscard]] std::string route_name(uint32_t id) const;
 
  private:
@@ -42,8 +42,8 @@ class TextNames final : public nodes::NodeNaming {
   NodeSet fresh_;  ///< in the command at work and not written yet
   std::map<nodes::NodeId, std::string> names_;
   std::map<nodes::ScopeId, Names> taken_;
-  std::map<uint32_t, std::string> routes_;
-  Names taken_routes_;
+  std::map<uint32_t, std::string> routes_;  ///< of the scene itself
+  std::map<nodes::ScopeId, Names> taken_routes_;
   std::map<std::string, unsigned> copies_;  ///< of names that were taken: tried so far
 };
 
