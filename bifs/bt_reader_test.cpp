@@ -105,6 +105,16 @@ TEST(BtWriter, ARouteOfTheSceneKeepsItsNameBesideOneInAProtoBodyOfTheSameId) {
   EXPECT_THAT(write(one), HasSubstr("DELETE ROUTE R0"));
 }
 
+TEST(BtWriter, ASceneOfPrototypesAloneReadsBackAsACommand) {
+  Presentation one = read("Group {}\nAT 1 { REPLACE SCENE BY PROTO P [] { Group {} } NULL }");
+  const std::string text = write(one);
+  const Presentation again = read(text);
+  ASSERT_EQ(again.units.size(), 2U) << text;
+  const auto& scene = std::get<SceneReplacement>(commands(again, 1)[0]);
+  EXPECT_EQ(scene.protos.size(), 1U);
+  EXPECT_FALSE(scene.root.valid());
+}
+
 TEST(BtReader, CommandsOfOneTimeAreOneAccessUnit) {
   const Presentation one =
       read(std::string(kLists) + "APPEND TO P.key 2\nAT 5 { DELETE P.key[0] }\nAT 5 { DELETE P }");

@@ -91,7 +91,7 @@ class BtWriter::State final : private nodes::NodeTextWriter {
   void write_scene_content(const SceneReplacement& c) {
     proto_names_.clear();
     write_protos(c.protos);
-    if (c.root.valid() || !is_plain(c)) {
+    if (c.root.valid() || open_) {  // a command wants a node, or NULL
       begin_line();
       write_node(c.root);
     }
