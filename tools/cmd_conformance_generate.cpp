@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "conformance/generator/octree_property.h"
+#include "conformance/generator/scene_property.h"
 #include "tools/commands.h"
 #include "tools/progress_bar.h"
 #include "tools/session.h"
@@ -29,7 +30,8 @@ struct GeneratorOptions {
 };
 
 const std::map<std::string, Property>& properties() {
-  static const std::map<std::string, Property> all{{"octree", conformance::octree_property()}};
+  static const std::map<std::string, Property> all{{"octree", conformance::octree_property()},
+                                                   {"scene", conformance::scene_property()}};
   return all;
 }
 

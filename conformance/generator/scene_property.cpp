@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#include "conformance/generator/scene_property.h"
+
+#include <memory>
+#include <utility>
+
+#include "bifs/bt_reader.h"
+#include "bifs/bt_writer.h"
+#include "bifs/encoding_setup.h"
+#include "bifs/mp4_presentation_reader.h"
+#include "bifs/mp4_presentation_writer.h"
+#include "bifs/mp4_reader.h"
+#include "bifs/raw_bifs_writer.h"
+#include "bifs/xmt_reader.h"
+#include "bifs/xmt_writer.h"
+#include "conformance/generator/quantized_difference.h"
+#include "conformance/generator/random_scene.h"
+#include "conformance/generator/told_commands.h"
+#include "conformance/json_difference.h"
+
+namespace afx::conformance {
+
+namespace {
+
+using bifs::EncodingChoices;
+using bifs::Presentation;
+using nlohmann::json;
+using Bytes = std::vector<uint8_t>;
+using Names = EncodingChoices::Names;
+
+/// A way to encode.
+struct Way {
+  const char* text;
+  SceneNames names;
+  EncodingChoices choices;
+};
+const Way kWays[] = {
+    {"names always", SceneNames::own, {.names = Names::always}},
+    {"names automatic", SceneNames::own, {}},
+    {"names never", SceneNames::made, {.names = Names::never}},
+    {"made names automatic", SceneNames::made, {}},
+    {"made names always", SceneNames::made, {.names = Names::always}},
+    {"predictive", SceneNames::own, {.predictive = true}},
+    {"like GPAC", SceneNames::made, {.like_gpac = true}},
+    {"like GPAC with names", SceneNames::own, {.like_gpac = true, .names = Names::always}},
+};
+
+/// Why something cannot be done.
+Failure broken(const std::string& what, const Error& error) {
+  return {what + ": " + to_string(error), {}};
+}
+
+/// Checks one case, given by its draws: each form needs a presentation of its own, for encoding
+/// carries its commands out.
+class SceneCheck {
+ public:
+  SceneCheck(const std::vector<uint32_t>& draws, const SceneFault& fault)
+      : draws_(draws), fault_(fault) {}
+
+  std::optional<Failure> run() {
+    for (const Way& way : kWays)
+      if (auto failure = check_raw(way)) return failure;
+    if (auto failure = check_mp4()) return failure;
+    for (const SceneNames names : {SceneNames::made, SceneNames::own}) {
+      if (auto failure = check_text(names, false)) return failure;
+      if (auto failure = check_text(names, true)) return failure;
+    }
+    for (const bool predictive : {false, true})
+      if (auto failure = check_quantized(predictive)) return failure;
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Presentation make(SceneNames names) const {
+    Choices again(draws_);
+    return random_scene(again, names);
+  }
+
+  /// What a presentation tells; it is played.
+  static std::string told(Presentation& presentation) {
+    ToldCommands told;
+    Diagnostics ignored;
+    (void)bifs::play(presentation, told, ignored);
+    return told.text();
+  }
+
+  /// The same after set_up_encoding.
+  Result<std::string> told_for(const Way& way) const {
+    Presentation presentation = make(way.names);
+    Diagnostics ignored;
+    if (Status set = set_up_encoding(presentation, way.choices, ignored); !set.ok())
+      return set.error();
+    return told(presentation);
+  }
+
+  static Result<Bytes> encode(Presentation& presentation, const EncodingChoices& choices) {
+    Diagnostics ignored;
+    if (Status set = set_up_encoding(presentation, choices, ignored); !set.ok()) return set.error();
+    bifs::RawBifsWriter writer(encode_options(choices), ignored);
+    if (Status played = play(presentation, writer, ignored); !played.ok()) return played.error();
+    return write_raw_bifs(writer.scene());
+  }
+
+  /// Decodes a raw scene or an MP4 file into a sink.
+  static Status decode(const Bytes& bytes, bool raw, bifs::PresentationSink& sink) {
+    Diagnostics ignored;
+    bifs::Mp4Movie movie;
+    if (raw) {
+      auto scene = bifs::read_raw_bifs(bytes, {});
+      if (!scene.ok()) return scene.error();
+      movie = movie_of_raw_bifs(scene.value());
+    } else {
+      auto read = bifs::read_mp4(bifs::mp4_source(bytes), {}, ignored);
+      if (!read.ok()) return read.error();
+      movie = std::move(read).value();
+    }
+    const auto decoded =
+        bifs::decode_presentation(bifs::mp4_source(bytes), movie, {}, &sink, ignored);
+    return decoded.ok() ? Status{} : Status(decoded.error());
+  }
+
+  static Result<Bytes> encode_again(const Bytes& bytes, const EncodingChoices& choices) {
+    Diagnostics ignored;
+    bifs::RawBifsWriter writer(encode_options(choices), ignored);
+    if (Status decoded = decode(bytes, true, writer); !decoded.ok()) return decoded.error();
+    return write_raw_bifs(writer.scene());
+  }
+
+  /// In a few words where two documents differ; empty if they do not.
+  static std::string difference(const std::string& expected, const std::string& found,
+                                const Forgiven& forgiven) {
+    if (expected == found) return {};
+    const auto differing = first_difference(without(json::parse(expected), forgiven),
+                                            without(json::parse(found), forgiven), {});
+    if (!differing) return {};
+    return "at " + differing->path + " " + differing->found + " (expected " + differing->expected +
+           ")";
+  }
+
+  /// Whether the PROTO IDs that GPAC gives can be told apart: no PROTO stands in another.
+  static bool can_be_like_gpac(const Presentation& presentation) {
+    for (size_t i = 0; i < presentation.scene.proto_count(); ++i)
+      if (presentation.scene.proto(nodes::ProtoId{i}).scope != nodes::Scene::kMain) return false;
+    return true;
+  }
+
+  [[nodiscard]] std::optional<Failure> check_raw(const Way& way) const {
+    Presentation presentation = make(way.names);
+    if (way.choices.like_gpac && !can_be_like_gpac(presentation)) return std::nullopt;
+    const std::string what = std::string("raw scene, ") + way.text;
+    const auto bytes = encode(presentation, way.choices);
+    if (!bytes.ok()) return broken(what + ": encode", bytes.error());
+    const auto expected = told_for(way);
+    if (!expected.ok()) return broken(what, expected.error());
+    ToldCommands decoded;
+    if (Status done = decode(bytes.value(), true, decoded); !done.ok())
+      return decode_failure(what + ": decode: " + to_string(done.error()), "bifs", bytes.value(),
+                            expected.value());
+    const std::string wrong = difference(
+        expected.value(), damaged(decoded.text()),
+        {.names = way.choices.names == Names::automatic, .images = way.choices.like_gpac});
+    if (!wrong.empty())
+      return decode_failure(what + ": decode: " + wrong, "bifs", bytes.value(), expected.value());
+    const auto again = encode_again(bytes.value(), way.choices);
+    if (!again.ok()) return broken(what + ": encode again", again.error());
+    if (again.value() != bytes.value())
+      return Failure{what + ": encode again: other bytes",
+                     {"bifs", bytes.value(), {{{{"check", "reencode"}}, {}}}}};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Failure> check_mp4() const {
+    const Way& way = kWays[1];
+    Presentation presentation = make(way.names);
+    Diagnostics ignored;
+    Bytes bytes;
+    if (Status set = set_up_encoding(presentation, way.choices, ignored); !set.ok())
+      return broken("MP4: encode", set.error());
+    bifs::Mp4PresentationWriter writer(
+        [&bytes](std::span<const uint8_t> piece) {
+          bytes.insert(bytes.end(), piece.begin(), piece.end());
+          return Status();
+        },
+        {encode_options(way.choices), {}});
+    if (Status played = play(presentation, writer, ignored); !played.ok())
+      return broken("MP4: encode", played.error());
+    const auto expected = told_for(way);
+    if (!expected.ok()) return broken("MP4", expected.error());
+    ToldCommands decoded;
+    const Status done = decode(bytes, false, decoded);
+    const std::string wrong =
+        done.ok() ? difference(expected.value(), damaged(decoded.text()), {.names = true})
+                  : to_string(done.error());
+    if (wrong.empty()) return std::nullopt;
+    return decode_failure("MP4: decode: " + wrong, "mp4", bytes, expected.value());
+  }
+
+  static Result<std::string> write_text(Presentation& presentation, bool xml) {
+    std::string text;
+    const auto add = [&text](std::string_view piece) {
+      text += piece;
+      return Status();
+    };
+    std::unique_ptr<bifs::PresentationSink> writer;
+    if (xml)
+      writer = std::make_unique<bifs::XmtWriter>(add);
+    else
+      writer = std::make_unique<bifs::BtWriter>(add);
+    Diagnostics ignored;
+    if (Status played = play(presentation, *writer, ignored); !played.ok()) return played.error();
+    return text;
+  }
+
+  static Result<Presentation> read_text(const std::string& text, bool xml) {
+    Diagnostics ignored;
+    return xml ? bifs::read_xmt(text, {}, ignored) : bifs::read_bt(text, {}, ignored);
+  }
+
+  [[nodiscard]] std::optional<Failure> check_text(SceneNames names, bool xml) const {
+    const std::string what = std::string(xml ? "XMT" : "BT") +
+                             (names == SceneNames::made ? " without names" : " with names");
+    Presentation presentation = make(names);
+    const auto text = write_text(presentation, xml);
+    if (!text.ok()) return broken(what + ": write", text.error());
+    const std::string kind = xml ? "xmt" : "bt";
+    const auto failure = [&](const std::string& wrong) -> Failure {
+      const Bytes bytes(text.value().begin(), text.value().end());
+      return {what + ": " + wrong, {kind, bytes, {{{{"check", "reencode"}}, {}}}}};
+    };
+    auto read = read_text(text.value(), xml);
+    if (!read.ok()) return failure("read: " + to_string(read.error()));
+    auto second = read_text(text.value(), xml);
+    const std::string found = damaged(told(read.value()));
+    // BT has no IDs: those of nodes with a name come out as they may. That it says the same is
+    // checked by its text then.
+    if (xml || names == SceneNames::made) {
+      Presentation original = make(names);
+      const std::string wrong =
+          difference(told(original), found, {.names = true, .positions = !xml});
+      if (!wrong.empty()) return failure("read: " + wrong);
+    }
+    const auto again = write_text(second.value(), xml);
+    if (!again.ok()) return failure("write again: " + to_string(again.error()));
+    if (again.value() != text.value()) return failure("write again: another text");
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Failure> check_quantized(bool predictive) const {
+    const std::string what = predictive ? "quantized, predictive" : "quantized";
+    const EncodingChoices choices{.predictive = predictive};
+    Presentation presentation = make(SceneNames::own);
+    const auto report = quantize_scene(presentation);
+    if (!report.ok()) return std::nullopt;  // it says why it cannot
+    const auto bytes = encode(presentation, choices);
+    if (!bytes.ok()) return broken(what + ": encode", bytes.error());
+    Presentation original = make(SceneNames::own);
+    (void)quantize_scene(original);
+    Diagnostics ignored;
+    (void)set_up_encoding(original, choices, ignored);
+    const std::string expected = told(original);
+    ToldCommands decoded;
+    if (Status done = decode(bytes.value(), true, decoded); !done.ok())
+      return decode_failure(what + ": decode: " + to_string(done.error()), "bifs", bytes.value(),
+                            expected);
+    const std::string wrong = quantized_difference(
+        without(json::parse(expected), {.names = true}),
+        without(json::parse(damaged(decoded.text())), {.names = true}), report.value());
+    if (!wrong.empty())
+      return decode_failure(what + ": decode: " + wrong, "bifs", bytes.value(), expected);
+    // A value that has become the default is left out from here on; nothing else changes again.
+    const auto again = encode_again(bytes.value(), choices);
+    if (!again.ok()) return broken(what + ": encode again", again.error());
+    const auto third = encode_again(again.value(), choices);
+    if (!third.ok() || third.value() != again.value())
+      return Failure{what + ": encode again: other bytes",
+                     {"bifs", again.value(), {{{{"check", "reencode"}}, {}}}}};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string damaged(std::string commands) const {
+    if (fault_.told) fault_.told(commands);
+    return commands;
+  }
+
+  /// The case as it is to decode: what was meant, in the form `commands`.
+  static Failure decode_failure(const std::string& text, const std::string& kind,
+                                const Bytes& bytes, const std::string& expected);
+
+  const std::vector<uint32_t>& draws_;
+  const SceneFault& fault_;
+};
+
+Failure SceneCheck::decode_failure(const std::string& text, const std::string& kind,
+                                   const Bytes& bytes, const std::string& expected) {
+  return {text,
+          {kind, bytes, {{{{"check", "decode"}, {"as", "commands"}}, json::parse(expected)}}}};
+}
+
+}  // namespace
+
+Property scene_property(const SceneFault& fault) {
+  return [fault](Choices& choices) {
+    (void)random_scene(choices, SceneNames::own);
+    return SceneCheck(choices.draws(), fault).run();
+  };
+}
+
+}  // namespace afx::conformance
