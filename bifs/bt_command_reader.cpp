@@ -59,7 +59,7 @@ bool BtTextReader::read_scene_command(std::string_view word, Commands& out) {
     in_.take_word();
     const TextCursor::Context outer = std::exchange(in_.context, {name, {}});
     (this->*read)(out);
-    if (in_.ok() && !out.empty()) note_command(out.back());
+    if (in_.ok() && !out.empty() && buffer_depth_ == 0) lists_.note(scene_, out.back());
     in_.context = outer;
     return true;
   }
@@ -310,75 +310,18 @@ void BtTextReader::read_xreplace_place(XReplace& command) {
 /// noted; the peer means the node that stood there first.
 void BtTextReader::read_child_field(XReplace& command) {
   const FieldRef& target = command.target;
-  const auto set = lists_.find({target.node, target.field});
+  const auto* now = lists_.list(scene_, target);
   const auto* first = std::get_if<std::vector<NodeId>>(&scene_.value(target.node, target.field));
   in_.skip_space();
   const size_t begin = in_.offset();
   const std::string_view name = in_.peek_word();
-  for (const auto* list : {set != lists_.end() ? &set->second : first, first}) {
+  for (const auto* list : {now, first}) {
     const NodeId child = list != nullptr ? xreplace_element(scene_, command, *list) : NodeId{};
     if (!child.valid() || !scene_.node(child).definition->find_event_in(name).valid()) continue;
     command.child_field = FieldRef{child, read_target_field(child, IndexMode::in)};
     return;
   }
   in_.fail(Errc::malformed, begin, "no node there has a field " + quoted(name));
-}
-
-void BtTextReader::note_list(const FieldRef& target, const FieldValue& value) {
-  const auto* list = std::get_if<std::vector<NodeId>>(&value);
-  if (list != nullptr) lists_[{target.node, target.field}] = *list;
-}
-
-/// Changes a list of nodes at a position, or at its end if that is behind it.
-template <class Change>
-void BtTextReader::change_list(const FieldRef& target, const Position& position, Change change) {
-  const auto* first = std::get_if<std::vector<NodeId>>(&scene_.value(target.node, target.field));
-  if (first == nullptr) return;
-  auto [entry, fresh] = lists_.try_emplace({target.node, target.field});
-  std::vector<NodeId>& list = entry->second;
-  if (fresh) list = *first;
-  const bool last = position.kind == Position::Kind::last;
-  change(list, last ? list.size() : std::min<size_t>(position.index, list.size()));
-}
-
-/// What a command does to a list of nodes, as far as an XREPLACE of a child may ask for it.
-void BtTextReader::note_command(const Command& command) {
-  if (buffer_depth_ > 0 || !in_.ok()) return;
-  const auto insert = [](const FieldValue& value) {
-    return [&value](std::vector<NodeId>& list, size_t at) {
-      if (const auto* node = std::get_if<NodeId>(&value))
-        list.insert(list.begin() + static_cast<ptrdiff_t>(at), *node);
-    };
-  };
-  const auto replace = [](const FieldValue& value) {
-    return [&value](std::vector<NodeId>& list, size_t at) {
-      const auto* node = std::get_if<NodeId>(&value);
-      if (node != nullptr && !list.empty()) list[std::min(at, list.size() - 1)] = *node;
-    };
-  };
-  const auto erase = [](std::vector<NodeId>& list, size_t at) {
-    if (!list.empty())
-      list.erase(list.begin() + static_cast<ptrdiff_t>(std::min(at, list.size() - 1)));
-  };
-  if (const auto* in = std::get_if<NodeInsertion>(&command)) {
-    const FieldIndex children = scene_.node(in->target).definition->find("children");
-    const FieldValue value = in->node;
-    change_list({in->target, children}, in->position, insert(value));
-  } else if (const auto* one = std::get_if<IndexedValueInsertion>(&command)) {
-    change_list(one->target, one->position, insert(one->value));
-  } else if (const auto* other = std::get_if<IndexedValueReplacement>(&command)) {
-    change_list(other->target, other->position, replace(other->value));
-  } else if (const auto* gone = std::get_if<IndexedValueDeletion>(&command)) {
-    change_list(gone->target, gone->position, erase);
-  } else if (const auto* some = std::get_if<MultipleIndexedReplacement>(&command)) {
-    for (const IndexedValue& value : some->values)
-      change_list(some->target, {Position::Kind::index, value.index}, replace(value.value));
-  } else if (const auto* whole = std::get_if<FieldReplacement>(&command)) {
-    note_list(whole->target, whole->value);
-  } else if (const auto* fields = std::get_if<MultipleFieldReplacement>(&command)) {
-    for (const nodes::FieldEntry& entry : fields->values)
-      note_list({fields->target, entry.field}, entry.value);
-  }
 }
 
 /// `INSERTPROTO [ PROTO ... ]`.

@@ -73,6 +73,30 @@ TEST(BtReader, AnXreplaceOfAChildMeansTheNodeThatIsThereByThen) {
   EXPECT_EQ(one.scene.type_name(command.child_field->node), "Transform");
 }
 
+TEST(BtReader, AnXreplaceOfAChildKnowsWhatOtherCommandsDidToTheList) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"DELETE A", "Transform"},
+      {"REPLACE A BY Transform {}", "Transform"},
+      {"REPLACE A BY NULL", "Transform"},
+      {"DELETE G.children[7]", "Shape"},
+      {"REPLACE G.children[7] BY Transform {}", "Shape"},
+      {"XREPLACE G.children[0] BY Transform {}", "Transform"},
+      {"XREPLACE G.children BY H.children", "Transform"},
+      {"DELETE H XREPLACE G.children BY [ Transform {} ]", "Transform"},
+  };
+  for (const auto& [commands_before, expected] : kCases) {
+    const std::string field =
+        expected == std::string("Shape") ? ".geometry BY NULL" : ".translation BY 1 2 3";
+    const Presentation one = read(
+        "DEF G Group { children [ DEF A Shape {} Transform {} DEF H Group { children [ Transform "
+        "{} ] } ] }\nAT 1 { " +
+        std::string(commands_before) + "\nXREPLACE G.children[0]" + field + " }");
+    const auto& command = std::get<XReplace>(commands(one, 1).back());
+    ASSERT_TRUE(command.child_field.has_value()) << commands_before;
+    EXPECT_EQ(one.scene.type_name(command.child_field->node), expected) << commands_before;
+  }
+}
+
 TEST(BtReader, ACommandOutsideOfAtComesAfterTheScene) {
   const Presentation one = read(
       "DEF A Transform {}\nDEF r ROUTE A.scale TO A.scale\nDELETE ROUTE r\n"

@@ -16,6 +16,7 @@
 #include "bifs/bt_reader.h"
 #include "bifs/config.h"
 #include "bifs/id_assignment.h"
+#include "bifs/noted_lists.h"
 #include "nodes/scene_text_reader.h"
 
 namespace afx::bifs {
@@ -85,10 +86,6 @@ class BtTextReader final : private nodes::SceneTextReader {
   nodes::FieldValue read_element(const FieldRef& target);
   nodes::Route read_new_route(std::string_view name);
   uint32_t read_route_id();
-  void note_list(const FieldRef& target, const nodes::FieldValue& value);
-  template <class Change>
-  void change_list(const FieldRef& target, const Position& position, Change change);
-  void note_command(const Command& command);
 
   // bt_descriptor_reader.cpp: object descriptors and their commands
   bool read_descriptor_command(std::string_view word, OdCommands& out);
@@ -126,8 +123,7 @@ class BtTextReader final : private nodes::SceneTextReader {
   uint32_t buffer_depth_ = 0;  ///< of the buffer that is being read; 0: none
   ProtoIds proto_ids_;
   size_t bodies_seen_ = 0;  ///< PROTOs whose ROUTEs have their IDs
-  /// Lists of nodes as commands have left them: what an XREPLACE of a child may mean.
-  std::map<std::pair<nodes::NodeId, nodes::FieldIndex>, std::vector<nodes::NodeId>> lists_;
+  NotedLists lists_;        ///< what an XREPLACE of a child may mean
 };
 
 }  // namespace afx::bifs

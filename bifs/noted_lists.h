@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-2-Clause
+// SPDX-FileCopyrightText: 2026 the afx authors
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "bifs/command.h"
+
+namespace afx::bifs {
+
+/// Lists of nodes as commands leave them, for who does not carry the commands out: the scene given
+/// is the one that the commands are said for, with the nodes as they come in their commands. What
+/// apply_command would refuse, but for nodes that would stand inside themselves, changes nothing.
+class NotedLists {
+ public:
+  /// A command that comes after those noted so far.
+  void note(const nodes::Scene& scene, const Command& command);
+  /// The list that a field holds by now; nullptr where it is no list of nodes.
+  const std::vector<nodes::NodeId>* list(const nodes::Scene& scene, const FieldRef& field);
+  void clear();
+
+ private:
+  struct List {
+    std::vector<nodes::NodeId> nodes;
+    size_t seen = 0;  ///< of gone_
+  };
+
+  List* find(const nodes::Scene& scene, const FieldRef& field);
+  void set(const nodes::Scene& scene, const FieldRef& field, const nodes::FieldValue& value);
+  void insert(const nodes::Scene& scene, const FieldRef& field, const Position& position,
+              const nodes::FieldValue& value);
+  void replace(const nodes::Scene& scene, const FieldRef& field, const Position& position,
+               const nodes::FieldValue& value);
+  void erase(const nodes::Scene& scene, const FieldRef& field, const Position& position);
+  void note(const nodes::Scene& scene, const XReplace& command);
+
+  std::map<std::pair<nodes::NodeId, nodes::FieldIndex>, List> lists_;
+  std::vector<NodeReplacement> gone_;  ///< by others, or NULL: from every list, in this order
+};
+
+}  // namespace afx::bifs
