@@ -80,6 +80,7 @@ TEST(BtReader, AnXreplaceOfAChildKnowsWhatOtherCommandsDidToTheList) {
       {"REPLACE A BY NULL", "Transform"},
       {"DELETE G.children[7]", "Shape"},
       {"REPLACE G.children[7] BY Transform {}", "Shape"},
+      {"MULTIPLEINDREPLACE G.children [ 7 BY Transform {} 0 BY Transform {} ]", "Shape"},
       {"XREPLACE G.children[0] BY Transform {}", "Transform"},
       {"XREPLACE G.children BY H.children", "Transform"},
       {"DELETE H XREPLACE G.children BY [ Transform {} ]", "Transform"},

@@ -78,12 +78,13 @@ void NotedLists::insert(const Scene& scene, const FieldRef& field, const Positio
   list->nodes.insert(list->nodes.begin() + static_cast<ptrdiff_t>(at), *node);
 }
 
-void NotedLists::replace(const Scene& scene, const FieldRef& field, const Position& position,
+bool NotedLists::replace(const Scene& scene, const FieldRef& field, const Position& position,
                          const FieldValue& value) {
   const auto* node = std::get_if<NodeId>(&value);
   List* const list = node != nullptr ? find(scene, field) : nullptr;
-  if (list == nullptr) return;
-  if (const auto at = place_in(list->nodes.size(), position)) list->nodes[*at] = *node;
+  const auto at = list != nullptr ? place_in(list->nodes.size(), position) : std::nullopt;
+  if (at) list->nodes[*at] = *node;
+  return at.has_value();
 }
 
 void NotedLists::erase(const Scene& scene, const FieldRef& field, const Position& position) {
@@ -128,7 +129,7 @@ void NotedLists::note(const Scene& scene, const Command& command) {
     erase(scene, gone->target, gone->position);
   } else if (const auto* some = std::get_if<MultipleIndexedReplacement>(&command)) {
     for (const IndexedValue& value : some->values)
-      replace(scene, some->target, {Position::Kind::index, value.index}, value.value);
+      if (!replace(scene, some->target, {Position::Kind::index, value.index}, value.value)) break;
   } else if (const auto* whole = std::get_if<FieldReplacement>(&command)) {
     set(scene, whole->target, whole->value);
   } else if (const auto* fields = std::get_if<MultipleFieldReplacement>(&command)) {

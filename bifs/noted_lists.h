@@ -31,7 +31,8 @@ class NotedLists {
   void set(const nodes::Scene& scene, const FieldRef& field, const nodes::FieldValue& value);
   void insert(const nodes::Scene& scene, const FieldRef& field, const Position& position,
               const nodes::FieldValue& value);
-  void replace(const nodes::Scene& scene, const FieldRef& field, const Position& position,
+  /// Whether there is such an element.
+  bool replace(const nodes::Scene& scene, const FieldRef& field, const Position& position,
                const nodes::FieldValue& value);
   void erase(const nodes::Scene& scene, const FieldRef& field, const Position& position);
   void note(const nodes::Scene& scene, const XReplace& command);
