@@ -173,5 +173,19 @@ TEST_F(ConformanceProgram, WrongCommandLinesAndSuitesAreSaidPlainly) {
   EXPECT_EQ(outcome.err, "afx: s/suite.json: /title is not there\n");
 }
 
+TEST_F(ConformanceProgram, TheGeneratorSaysHowManyCasesHold) {
+  const Outcome outcome = run("conformance generate --seed 5 --cases 20 --kind all --keep kept");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "20 octree cases hold\n20 scene cases hold\n");
+  EXPECT_FALSE(fs::exists(file("kept")));
+  EXPECT_EQ(run("conformance generate --case 7 --kind scene").out, "1 scene case holds\n");
+}
+
+TEST_F(ConformanceProgram, TheGeneratorKnowsItsKinds) {
+  const Outcome outcome = run("conformance generate --kind octrees");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("expected octree, scene or all"), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace afx::tools

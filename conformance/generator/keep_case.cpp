@@ -48,7 +48,7 @@ Status keep_case(const std::string& folder, const std::string& name, const std::
          {"sha256", sha256(kept.stream)},
          {"origin", "generator"},
          {"expect", checks}}}}};
-  const std::string text = suite.dump(1) + "\n";
+  const std::string text = suite.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
   return write_whole_file(folder + "/suite.json", bytes_of(text));
 }
 

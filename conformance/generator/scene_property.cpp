@@ -85,13 +85,24 @@ class SceneCheck {
     return told.text();
   }
 
-  /// The same after set_up_encoding.
-  Result<std::string> told_for(const Way& way) const {
+  /// What the stream is to tell: the presentation after set_up_encoding. Where the names are not
+  /// coded, they are those that decoders make.
+  [[nodiscard]] Result<std::string> told_for(const Way& way) const {
     Presentation presentation = make(way.names);
     Diagnostics ignored;
     if (Status set = set_up_encoding(presentation, way.choices, ignored); !set.ok())
       return set.error();
+    if (way.names == SceneNames::own && !codes_names(presentation))
+      return told_for({way.text, SceneNames::made, way.choices});
     return told(presentation);
+  }
+
+  static bool codes_names(const Presentation& presentation) {
+    for (const bifs::AccessUnit& unit : presentation.units)
+      for (const bifs::Command& command : std::get<std::vector<bifs::Command>>(unit.commands))
+        if (const auto* scene = std::get_if<bifs::SceneReplacement>(&command); scene != nullptr)
+          return scene->use_names;
+    return false;
   }
 
   static Result<Bytes> encode(Presentation& presentation, const EncodingChoices& choices) {
@@ -102,22 +113,37 @@ class SceneCheck {
     return write_raw_bifs(writer.scene());
   }
 
+  static Result<bifs::Mp4Movie> movie_of(const Bytes& bytes, bool raw) {
+    Diagnostics ignored;
+    if (!raw) return bifs::read_mp4(bifs::mp4_source(bytes), {}, ignored);
+    const auto scene = bifs::read_raw_bifs(bytes, {});
+    if (!scene.ok()) return scene.error();
+    return movie_of_raw_bifs(scene.value());
+  }
+
   /// Decodes a raw scene or an MP4 file into a sink.
   static Status decode(const Bytes& bytes, bool raw, bifs::PresentationSink& sink) {
     Diagnostics ignored;
-    bifs::Mp4Movie movie;
-    if (raw) {
-      auto scene = bifs::read_raw_bifs(bytes, {});
-      if (!scene.ok()) return scene.error();
-      movie = movie_of_raw_bifs(scene.value());
-    } else {
-      auto read = bifs::read_mp4(bifs::mp4_source(bytes), {}, ignored);
-      if (!read.ok()) return read.error();
-      movie = std::move(read).value();
-    }
+    const auto movie = movie_of(bytes, raw);
+    if (!movie.ok()) return movie.error();
     const auto decoded =
-        bifs::decode_presentation(bifs::mp4_source(bytes), movie, {}, &sink, ignored);
+        bifs::decode_presentation(bifs::mp4_source(bytes), movie.value(), {}, &sink, ignored);
     return decoded.ok() ? Status{} : Status(decoded.error());
+  }
+
+  /// The answer of the form `commands`; null where it does not decode.
+  static json decoded_document(const Bytes& bytes, bool raw) {
+    Diagnostics ignored;
+    const auto movie = movie_of(bytes, raw);
+    if (!movie.ok()) return {};
+    std::string text;
+    const auto add = [&text](std::string_view piece) {
+      text += piece;
+      return Status();
+    };
+    const Status decoded =
+        bifs::decode_as_json(bifs::mp4_source(bytes), movie.value(), {}, add, ignored);
+    return decoded.ok() ? json::parse(text) : json();
   }
 
   static Result<Bytes> encode_again(const Bytes& bytes, const EncodingChoices& choices) {
@@ -157,9 +183,8 @@ class SceneCheck {
     if (Status done = decode(bytes.value(), true, decoded); !done.ok())
       return decode_failure(what + ": decode: " + to_string(done.error()), "bifs", bytes.value(),
                             expected.value());
-    const std::string wrong = difference(
-        expected.value(), damaged(decoded.text()),
-        {.names = way.choices.names == Names::automatic, .images = way.choices.like_gpac});
+    const std::string wrong =
+        difference(expected.value(), damaged(decoded.text()), {.images = way.choices.like_gpac});
     if (!wrong.empty())
       return decode_failure(what + ": decode: " + wrong, "bifs", bytes.value(), expected.value());
     const auto again = encode_again(bytes.value(), way.choices);
@@ -189,11 +214,18 @@ class SceneCheck {
     if (!expected.ok()) return broken("MP4", expected.error());
     ToldCommands decoded;
     const Status done = decode(bytes, false, decoded);
-    const std::string wrong =
-        done.ok() ? difference(expected.value(), damaged(decoded.text()), {.names = true})
-                  : to_string(done.error());
+    const std::string wrong = done.ok() ? difference(expected.value(), damaged(decoded.text()), {})
+                                        : to_string(done.error());
     if (wrong.empty()) return std::nullopt;
     return decode_failure("MP4: decode: " + wrong, "mp4", bytes, expected.value());
+  }
+
+  /// The answer of the form `commands` for a text without names: that of the stream encoded of it.
+  [[nodiscard]] json document_of_text() const {
+    const EncodingChoices choices{.names = Names::never};
+    Presentation presentation = make(SceneNames::made);
+    const auto bytes = encode(presentation, choices);
+    return bytes.ok() ? decoded_document(bytes.value(), true) : json();
   }
 
   static Result<std::string> write_text(Presentation& presentation, bool xml) {
@@ -226,7 +258,11 @@ class SceneCheck {
     const std::string kind = xml ? "xmt" : "bt";
     const auto failure = [&](const std::string& wrong) -> Failure {
       const Bytes bytes(text.value().begin(), text.value().end());
-      return {what + ": " + wrong, {kind, bytes, {{{{"check", "reencode"}}, {}}}}};
+      Failure found{what + ": " + wrong, {kind, bytes, {{{{"check", "reencode"}}, {}}}}};
+      const json document = document_of_text();
+      if (names == SceneNames::made && !document.is_null())
+        found.kept.checks.push_back({{{"check", "decode"}, {"as", "commands"}}, document});
+      return found;
     };
     auto read = read_text(text.value(), xml);
     if (!read.ok()) return failure("read: " + to_string(read.error()));
@@ -293,8 +329,13 @@ class SceneCheck {
 
 Failure SceneCheck::decode_failure(const std::string& text, const std::string& kind,
                                    const Bytes& bytes, const std::string& expected) {
-  return {text,
-          {kind, bytes, {{{{"check", "decode"}, {"as", "commands"}}, json::parse(expected)}}}};
+  json document = decoded_document(bytes, kind == "bifs");
+  const json units = json::parse(expected);
+  if (document.is_null() || document["accessUnits"].size() != units.size())
+    return {text, {kind, bytes, {{{{"check", "reencode"}}, {}}}}};
+  for (size_t i = 0; i < units.size(); ++i)
+    document["accessUnits"][i]["commands"] = units[i]["commands"];
+  return {text, {kind, bytes, {{{{"check", "decode"}, {"as", "commands"}}, document}}}};
 }
 
 }  // namespace

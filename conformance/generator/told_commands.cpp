@@ -23,10 +23,7 @@ bool has_made_name(const json& object) {
 
 void drop(json& value, const Forgiven& forgiven) {
   if (value.is_object()) {
-    if (forgiven.names) {
-      value.erase("useNames");
-      if (has_made_name(value)) value.erase("name");
-    }
+    if (forgiven.names && has_made_name(value)) value.erase("name");
     if (forgiven.positions && value.value("position", json()) == 0) value["position"] = "first";
     if (forgiven.images && value.contains("node") && value["node"].is_string()) {
       json& fields = value["fields"];

@@ -32,7 +32,7 @@ class ToldCommands final : public bifs::PresentationSink {
 
 /// What is not compared.
 struct Forgiven {
-  bool names = false;      ///< of nodes and ROUTEs, where the ID stands for it, and USENAMES
+  bool names = false;      ///< of nodes and ROUTEs, where the ID stands for it
   bool positions = false;  ///< index 0 and `first` are the same
   bool images = false;  ///< and empty scripts, which some encoders write though they are defaults
 };
