@@ -3,6 +3,7 @@
 //
 // The commands of a presentation, each made for the scene as the ones before leave it.
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "bifs/apply.h"
@@ -26,12 +27,6 @@ using nodes::Scene;
 
 namespace {
 
-constexpr uint32_t kCommandKinds = 18;
-
-nodes::NodeDataType top_node() {
-  return nodes::definitions().find_data_type("SFTopNode").value_or(nodes::kWorldNode);
-}
-
 /// Whether a text says an insertion into this field as one of a node.
 bool is_children(const NodeDefinition& definition, const FieldDefinition& field) {
   return field.type == FieldType::mf_node && field.name == "children" &&
@@ -40,137 +35,98 @@ bool is_children(const NodeDefinition& definition, const FieldDefinition& field)
 
 }  // namespace
 
-SceneMaker::SceneMaker(Choices& choices, SceneNames names) : choices_(choices), names_(names) {}
+/// One kind of command; none where the scene has nothing that it could be about.
+std::optional<Command> SceneMaker::random_command() {
+  static constexpr std::array kKinds{
+      &SceneMaker::replace_field,    &SceneMaker::random_insertion, &SceneMaker::random_insertion,
+      &SceneMaker::delete_element,   &SceneMaker::replace_element,  &SceneMaker::insert_route,
+      &SceneMaker::delete_route,     &SceneMaker::replace_route,    &SceneMaker::delete_node,
+      &SceneMaker::replace_node,     &SceneMaker::insert_protos,    &SceneMaker::delete_proto,
+      &SceneMaker::delete_protos,    &SceneMaker::replace_elements, &SceneMaker::multiple_fields,
+      &SceneMaker::global_quantizer, &SceneMaker::random_xreplace,  &SceneMaker::random_xreplace};
+  return (this->*choices_.of(kKinds))();
+}
 
-bifs::Presentation SceneMaker::make() {
-  fits_ = choices_.below(2) == 0;
-  nodes_left_ = choices_.one_in(32) ? 300 : 30;
-  uint64_t time = choices_.one_in(8) ? choices_.below(5000) : 0;
+std::optional<Command> SceneMaker::replace_field() {
+  const auto target = random_target(false);
+  if (!target) return std::nullopt;
+  return bifs::FieldReplacement{*target,
+                                value_of(field(*target), field(*target).type, Scene::kMain, 4)};
+}
+
+std::optional<Command> SceneMaker::delete_element() {
+  const auto target = random_target(true);
+  if (!target) return std::nullopt;
+  return bifs::IndexedValueDeletion{*target, random_position()};
+}
+
+std::optional<Command> SceneMaker::replace_element() {
+  const auto target = random_target(true);
+  if (!target) return std::nullopt;
+  const Position position = random_position();
+  return bifs::IndexedValueReplacement{*target, position, element_for(*target)};
+}
+
+std::optional<Command> SceneMaker::replace_elements() {
+  const auto target = random_target(true);
+  if (!target) return std::nullopt;
+  bifs::MultipleIndexedReplacement command{*target, {}};
   do {
-    std::vector<Command> commands;
-    if (out_.units.empty() || choices_.one_in(10)) {
-      commands.emplace_back(new_scene());
-      apply(commands.back());
-    }
-    while (commands.empty() || choices_.below(3) != 0) add_command(commands);
-    const bool random_access = out_.units.empty() || choices_.one_in(3);
-    out_.units.push_back({time, random_access, std::move(commands)});
-    time += 1 + choices_.below(2000);
+    const uint32_t index = choices_.below(6);
+    command.values.push_back({index, element_for(*target)});
   } while (choices_.below(3) != 0);
-  for (const auto& [node, values] : created_) scene_.node(node).values = values;
-  scene_.scope().roots.clear();
-  scene_.scope().routes.clear();
-  return std::move(out_);
+  return command;
 }
 
-bifs::SceneReplacement SceneMaker::new_scene() {
-  known_.clear();
-  route_ids_.clear();
-  scene_.scope().names.clear();  // IDs and names begin anew
-  bifs::SceneReplacement scene;
-  scene.protos = random_protos(Scene::kMain, 0);
-  if (!choices_.one_in(30)) scene.root = random_node(top_node(), Scene::kMain, 0);
-  scene.routes = random_routes(Scene::kMain);
-  return scene;
+std::optional<Command> SceneMaker::insert_route() {
+  auto route = random_route(Scene::kMain);
+  if (!route) return std::nullopt;
+  return bifs::RouteInsertion{std::move(*route)};
 }
 
-/// Adds one command, or a pair; where the scene has nothing to be changed, one that does nothing.
-void SceneMaker::add_command(std::vector<Command>& commands) {
-  if (auto command = command_of(choices_.below(kCommandKinds))) {
-    commands.push_back(std::move(*command));
-    apply(commands.back());
-    const auto* quantizer = std::get_if<bifs::GlobalQuantizer>(&commands.back());
-    // Nothing is to be coded under it.
-    if (quantizer != nullptr && quantizer->node.valid())
-      commands.emplace_back(bifs::GlobalQuantizer{});
-  } else if (commands.empty()) {
-    commands.emplace_back(bifs::GlobalQuantizer{});
-  }
+std::optional<Command> SceneMaker::delete_route() {
+  if (route_ids_.empty()) return std::nullopt;
+  const uint32_t id = choices_.of(route_ids_);
+  std::erase(route_ids_, id);
+  return bifs::RouteDeletion{id};
 }
 
-void SceneMaker::apply(const Command& command) {
-  // Names of PROTOs stay, so that none comes twice.
-  if (!std::holds_alternative<bifs::ProtoDeletion>(command) &&
-      !std::holds_alternative<bifs::AllProtoDeletion>(command))
-    (void)bifs::apply_command(scene_, command);
+std::optional<Command> SceneMaker::replace_route() {
+  if (route_ids_.empty()) return std::nullopt;
+  const auto from = out_of(Scene::kMain);
+  const auto to = from ? into(Scene::kMain, field(*from).type) : std::nullopt;
+  if (!to) return std::nullopt;
+  return bifs::RouteReplacement{choices_.of(route_ids_), *from, *to};
 }
 
-std::optional<Command> SceneMaker::command_of(uint32_t kind) {
-  auto& known = known_[Scene::kMain];
-  switch (kind) {
-    case 0:
-      if (const auto target = random_target(false))
-        return bifs::FieldReplacement{
-            *target, value_of(field(*target), field(*target).type, Scene::kMain, 4)};
-      return std::nullopt;
-    case 1:
-    case 2:
-      return random_insertion();
-    case 3:
-      if (const auto target = random_target(true))
-        return bifs::IndexedValueDeletion{*target, random_position()};
-      return std::nullopt;
-    case 4:
-      if (const auto target = random_target(true)) {
-        const Position position = random_position();
-        return bifs::IndexedValueReplacement{*target, position, element_for(*target)};
-      }
-      return std::nullopt;
-    case 5:
-      if (auto route = random_route(Scene::kMain)) return bifs::RouteInsertion{std::move(*route)};
-      return std::nullopt;
-    case 6: {
-      if (route_ids_.empty()) return std::nullopt;
-      const uint32_t id = choices_.of(route_ids_);
-      std::erase(route_ids_, id);
-      return bifs::RouteDeletion{id};
-    }
-    case 7: {
-      if (route_ids_.empty()) return std::nullopt;
-      const auto from = out_of(Scene::kMain);
-      const auto to = from ? into(Scene::kMain, field(*from).type) : std::nullopt;
-      if (!to) return std::nullopt;
-      return bifs::RouteReplacement{choices_.of(route_ids_), *from, *to};
-    }
-    case 8: {
-      const auto target = gone_node();
-      if (!target) return std::nullopt;
-      return bifs::NodeDeletion{*target, choices_.below(2) != 0};
-    }
-    case 9:
-      return replace_node();
-    case 10: {
-      auto protos = random_protos(Scene::kMain, 0);
-      if (protos.empty()) return std::nullopt;
-      return bifs::ProtoInsertion{std::move(protos)};
-    }
-    case 11: {
-      if (known.protos.empty()) return std::nullopt;
-      const nodes::ProtoId proto = choices_.of(known.protos);
-      std::erase(known.protos, proto);
-      return bifs::ProtoDeletion{{scene_.proto(proto).id}};
-    }
-    case 12:
-      known.protos.clear();
-      return bifs::AllProtoDeletion{};
-    case 13:
-      if (const auto target = random_target(true)) {
-        bifs::MultipleIndexedReplacement command{*target, {}};
-        do {
-          const uint32_t index = choices_.below(6);
-          command.values.push_back({index, element_for(*target)});
-        } while (choices_.below(3) != 0);
-        return command;
-      }
-      return std::nullopt;
-    case 14:
-      return multiple_fields();
-    case 15:
-      return bifs::GlobalQuantizer{choices_.below(2) != 0 && !fits_ ? switched_off_quantizer()
-                                                                    : NodeId{}};
-    default:
-      return random_xreplace();
-  }
+std::optional<Command> SceneMaker::delete_node() {
+  const auto target = gone_node();
+  if (!target) return std::nullopt;
+  return bifs::NodeDeletion{*target, choices_.below(2) != 0};
+}
+
+std::optional<Command> SceneMaker::insert_protos() {
+  auto protos = random_protos(Scene::kMain, 0);
+  if (protos.empty()) return std::nullopt;
+  return bifs::ProtoInsertion{std::move(protos)};
+}
+
+std::optional<Command> SceneMaker::delete_proto() {
+  auto& protos = known_[Scene::kMain].protos;
+  if (protos.empty()) return std::nullopt;
+  const nodes::ProtoId proto = choices_.of(protos);
+  std::erase(protos, proto);
+  return bifs::ProtoDeletion{{scene_.proto(proto).id}};
+}
+
+std::optional<Command> SceneMaker::delete_protos() {
+  known_[Scene::kMain].protos.clear();
+  return bifs::AllProtoDeletion{};
+}
+
+std::optional<Command> SceneMaker::global_quantizer() {
+  const bool has_node = choices_.below(2) != 0 && !fits_;
+  return bifs::GlobalQuantizer{has_node ? switched_off_quantizer() : NodeId{}};
 }
 
 /// A field that commands can change, of a node with an ID.

@@ -31,7 +31,7 @@ class SceneMaker {
     uint32_t route_ids = 0;
   };
 
-  // random_scene.cpp: nodes
+  // random_nodes.cpp
   NodeId random_node(nodes::NodeDataType type, nodes::ScopeId scope, unsigned depth);
   NodeId new_node(nodes::NodeDataType type, nodes::ScopeId scope, unsigned depth);
   NodeId fill(NodeId node, unsigned depth);
@@ -48,7 +48,7 @@ class SceneMaker {
   void declare_fields(NodeId script);
   [[nodiscard]] bool is_index(const nodes::FieldDefinition& field) const;
 
-  // random_proto.cpp: PROTOs and ROUTEs
+  // random_protos.cpp: PROTOs and ROUTEs
   nodes::ProtoId random_proto(nodes::ScopeId scope, unsigned depth);
   std::vector<nodes::ProtoId> random_protos(nodes::ScopeId scope, unsigned depth);
   void fill_body(nodes::ProtoId proto, unsigned depth);
@@ -61,21 +61,36 @@ class SceneMaker {
   std::optional<bifs::FieldRef> out_of(nodes::ScopeId scope);
   std::optional<bifs::FieldRef> into(nodes::ScopeId scope, nodes::FieldType type);
 
-  // random_commands.cpp
+  // scene_maker.cpp: the access units
   bifs::SceneReplacement new_scene();
   void add_command(std::vector<bifs::Command>& commands);
-  std::optional<bifs::Command> command_of(uint32_t kind);
+  void apply(const bifs::Command& command);
+
+  // random_commands.cpp
+  using MaybeCommand = std::optional<bifs::Command>;
+  MaybeCommand random_command();
+  MaybeCommand replace_field();
+  MaybeCommand random_insertion();
+  MaybeCommand delete_element();
+  MaybeCommand replace_element();
+  MaybeCommand replace_elements();
+  MaybeCommand insert_route();
+  MaybeCommand delete_route();
+  MaybeCommand replace_route();
+  MaybeCommand delete_node();
+  MaybeCommand replace_node();
+  MaybeCommand insert_protos();
+  MaybeCommand delete_proto();
+  MaybeCommand delete_protos();
+  MaybeCommand multiple_fields();
+  MaybeCommand global_quantizer();
+  MaybeCommand random_xreplace();
   std::optional<bifs::FieldRef> random_target(bool list);
   std::optional<bifs::FieldRef> source_of(nodes::FieldType type);
-  bifs::Position random_position();
-  std::optional<bifs::Command> random_insertion();
-  std::optional<bifs::Command> random_xreplace();
-  std::optional<bifs::Command> multiple_fields();
   std::optional<NodeId> gone_node();
-  std::optional<bifs::Command> replace_node();
+  bifs::Position random_position();
   nodes::FieldValue element_for(const bifs::FieldRef& target);
   NodeId switched_off_quantizer();
-  void apply(const bifs::Command& command);
 
   [[nodiscard]] const nodes::FieldDefinition& field(const bifs::FieldRef& ref) const {
     return scene_.node(ref.node).definition->field(ref.field);

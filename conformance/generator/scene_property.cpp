@@ -2,20 +2,12 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #include "conformance/generator/scene_property.h"
 
-#include <memory>
 #include <utility>
 
-#include "bifs/bt_reader.h"
-#include "bifs/bt_writer.h"
-#include "bifs/encoding_setup.h"
-#include "bifs/mp4_presentation_reader.h"
-#include "bifs/mp4_presentation_writer.h"
-#include "bifs/mp4_reader.h"
-#include "bifs/raw_bifs_writer.h"
-#include "bifs/xmt_reader.h"
-#include "bifs/xmt_writer.h"
+#include "bifs/quantize_scene.h"
 #include "conformance/generator/quantized_difference.h"
 #include "conformance/generator/random_scene.h"
+#include "conformance/generator/scene_forms.h"
 #include "conformance/generator/told_commands.h"
 #include "conformance/json_difference.h"
 
@@ -46,11 +38,6 @@ const Way kWays[] = {
     {"like GPAC with names", SceneNames::own, {.like_gpac = true, .names = Names::always}},
 };
 
-/// Why something cannot be done.
-Failure broken(const std::string& what, const Error& error) {
-  return {what + ": " + to_string(error), {}};
-}
-
 /// Checks one case, given by its draws: each form needs a presentation of its own, for encoding
 /// carries its commands out.
 class SceneCheck {
@@ -77,12 +64,13 @@ class SceneCheck {
     return random_scene(again, names);
   }
 
-  /// What a presentation tells; it is played.
-  static std::string told(Presentation& presentation) {
-    ToldCommands told;
-    Diagnostics ignored;
-    (void)bifs::play(presentation, told, ignored);
-    return told.text();
+  /// There is no stream that could be kept: the text stands for it.
+  [[nodiscard]] Failure broken(const std::string& what, const Error& error) const {
+    Presentation presentation = make(SceneNames::own);
+    const auto written = write_text(presentation, false);
+    const std::string text = written.ok() ? written.value() : std::string();
+    const json check = {{"check", "reencode"}, {"equal", "commands"}};
+    return {what + ": " + to_string(error), {"bt", {text.begin(), text.end()}, {{check, {}}}}};
   }
 
   /// What the stream is to tell: the presentation after set_up_encoding. Where the names are not
@@ -103,54 +91,6 @@ class SceneCheck {
         if (const auto* scene = std::get_if<bifs::SceneReplacement>(&command); scene != nullptr)
           return scene->use_names;
     return false;
-  }
-
-  static Result<Bytes> encode(Presentation& presentation, const EncodingChoices& choices) {
-    Diagnostics ignored;
-    if (Status set = set_up_encoding(presentation, choices, ignored); !set.ok()) return set.error();
-    bifs::RawBifsWriter writer(encode_options(choices), ignored);
-    if (Status played = play(presentation, writer, ignored); !played.ok()) return played.error();
-    return write_raw_bifs(writer.scene());
-  }
-
-  static Result<bifs::Mp4Movie> movie_of(const Bytes& bytes, bool raw) {
-    Diagnostics ignored;
-    if (!raw) return bifs::read_mp4(bifs::mp4_source(bytes), {}, ignored);
-    const auto scene = bifs::read_raw_bifs(bytes, {});
-    if (!scene.ok()) return scene.error();
-    return movie_of_raw_bifs(scene.value());
-  }
-
-  /// Decodes a raw scene or an MP4 file into a sink.
-  static Status decode(const Bytes& bytes, bool raw, bifs::PresentationSink& sink) {
-    Diagnostics ignored;
-    const auto movie = movie_of(bytes, raw);
-    if (!movie.ok()) return movie.error();
-    const auto decoded =
-        bifs::decode_presentation(bifs::mp4_source(bytes), movie.value(), {}, &sink, ignored);
-    return decoded.ok() ? Status{} : Status(decoded.error());
-  }
-
-  /// The answer of the form `commands`; null where it does not decode.
-  static json decoded_document(const Bytes& bytes, bool raw) {
-    Diagnostics ignored;
-    const auto movie = movie_of(bytes, raw);
-    if (!movie.ok()) return {};
-    std::string text;
-    const auto add = [&text](std::string_view piece) {
-      text += piece;
-      return Status();
-    };
-    const Status decoded =
-        bifs::decode_as_json(bifs::mp4_source(bytes), movie.value(), {}, add, ignored);
-    return decoded.ok() ? json::parse(text) : json();
-  }
-
-  static Result<Bytes> encode_again(const Bytes& bytes, const EncodingChoices& choices) {
-    Diagnostics ignored;
-    bifs::RawBifsWriter writer(encode_options(choices), ignored);
-    if (Status decoded = decode(bytes, true, writer); !decoded.ok()) return decoded.error();
-    return write_raw_bifs(writer.scene());
   }
 
   /// In a few words where two documents differ; empty if they do not.
@@ -198,26 +138,16 @@ class SceneCheck {
   [[nodiscard]] std::optional<Failure> check_mp4() const {
     const Way& way = kWays[1];
     Presentation presentation = make(way.names);
-    Diagnostics ignored;
-    Bytes bytes;
-    if (Status set = set_up_encoding(presentation, way.choices, ignored); !set.ok())
-      return broken("MP4: encode", set.error());
-    bifs::Mp4PresentationWriter writer(
-        [&bytes](std::span<const uint8_t> piece) {
-          bytes.insert(bytes.end(), piece.begin(), piece.end());
-          return Status();
-        },
-        {encode_options(way.choices), {}});
-    if (Status played = play(presentation, writer, ignored); !played.ok())
-      return broken("MP4: encode", played.error());
+    const auto bytes = encode_mp4(presentation, way.choices);
+    if (!bytes.ok()) return broken("MP4: encode", bytes.error());
     const auto expected = told_for(way);
     if (!expected.ok()) return broken("MP4", expected.error());
     ToldCommands decoded;
-    const Status done = decode(bytes, false, decoded);
+    const Status done = decode(bytes.value(), false, decoded);
     const std::string wrong = done.ok() ? difference(expected.value(), damaged(decoded.text()), {})
                                         : to_string(done.error());
     if (wrong.empty()) return std::nullopt;
-    return decode_failure("MP4: decode: " + wrong, "mp4", bytes, expected.value());
+    return decode_failure("MP4: decode: " + wrong, "mp4", bytes.value(), expected.value());
   }
 
   /// The answer of the form `commands` for a text without names: that of the stream encoded of it.
@@ -226,27 +156,6 @@ class SceneCheck {
     Presentation presentation = make(SceneNames::made);
     const auto bytes = encode(presentation, choices);
     return bytes.ok() ? decoded_document(bytes.value(), true) : json();
-  }
-
-  static Result<std::string> write_text(Presentation& presentation, bool xml) {
-    std::string text;
-    const auto add = [&text](std::string_view piece) {
-      text += piece;
-      return Status();
-    };
-    std::unique_ptr<bifs::PresentationSink> writer;
-    if (xml)
-      writer = std::make_unique<bifs::XmtWriter>(add);
-    else
-      writer = std::make_unique<bifs::BtWriter>(add);
-    Diagnostics ignored;
-    if (Status played = play(presentation, *writer, ignored); !played.ok()) return played.error();
-    return text;
-  }
-
-  static Result<Presentation> read_text(const std::string& text, bool xml) {
-    Diagnostics ignored;
-    return xml ? bifs::read_xmt(text, {}, ignored) : bifs::read_bt(text, {}, ignored);
   }
 
   [[nodiscard]] std::optional<Failure> check_text(SceneNames names, bool xml) const {

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // Nodes and their values.
-#include "conformance/generator/random_scene.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -42,10 +40,6 @@ const std::vector<const NodeDefinition*>& nodes_of_type(NodeDataType type) {
 }
 
 }  // namespace
-
-bifs::Presentation random_scene(Choices& choices, SceneNames names) {
-  return SceneMaker(choices, names).make();
-}
 
 /// A node for a place; not valid (NULL) where none can be made.
 NodeId SceneMaker::random_node(NodeDataType type, ScopeId scope, unsigned depth) {
