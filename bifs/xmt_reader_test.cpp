@@ -395,4 +395,16 @@ TEST(XmtErrors, KeepNestedCommandBuffersWithinTheDepth) {
   EXPECT_EQ(error.code, Errc::limit_exceeded);
 }
 
+TEST(XmtReader, AnXreplaceMayMeanAFieldThatAnInsertedScriptDeclares) {
+  const Presentation one = read(
+      in_body("<Replace><Scene><Group DEF=\"G\"/></Scene></Replace>"
+              "<Insert atNode=\"G\" position=\"BEGIN\"><Script url=\"javascript:\">"
+              "<field name=\"lit\" type=\"Boolean\" vrml97Hint=\"eventIn\"/></Script></Insert>"
+              "<Replace extended=\"xreplace\" atNode=\"G\" atField=\"children\" position=\"BEGIN\" "
+              "atChildNode=\"Script\" atChildField=\"lit\" value=\"true\"/>"));
+  const auto& child = std::get<XReplace>(commands(one).at(2)).child_field;
+  ASSERT_TRUE(child.has_value());
+  EXPECT_EQ(child->node, std::get<NodeInsertion>(commands(one).at(1)).node);
+}
+
 }  // namespace afx::bifs

@@ -16,6 +16,7 @@
 
 #include "bifs/command.h"
 #include "bifs/id_assignment.h"
+#include "bifs/noted_lists.h"
 #include "bifs/xmt_document.h"
 #include "bifs/xmt_values.h"
 #include "codec/limits.h"
@@ -141,6 +142,7 @@ class XmtSceneReader {
   TakenIds proto_ids_;  ///< of all scopes
   std::set<std::pair<nodes::ScopeId, uint32_t>> told_proto_ids_;
   std::deque<PendingBuffer> pending_;
+  NotedLists lists_;  ///< what an XReplace of a child may mean
 };
 
 }  // namespace afx::bifs

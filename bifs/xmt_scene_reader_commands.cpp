@@ -34,7 +34,9 @@ std::optional<Command> XmtSceneReader::read_command(Element element) {
   } else {
     refuse(element, {"Insert", "Replace", "Delete"});
   }
-  if (!in_buffer_) read_pending_buffers();
+  if (in_buffer_) return command;
+  read_pending_buffers();
+  if (document_.ok() && command) lists_.note(scene_, *command);
   return command;
 }
 
@@ -185,6 +187,7 @@ void XmtSceneReader::forget_scene() {
   route_ids_.clear();
   proto_ids_ = {};
   told_proto_ids_.clear();
+  lists_.clear();
 }
 
 Command XmtSceneReader::read_extended(Element element, XmtAttributes& attributes,
@@ -305,14 +308,17 @@ Command XmtSceneReader::read_xreplace(Element element, XmtAttributes& attributes
   return command;
 }
 
-/// The node whose field an XReplace means: the one that the text put there if it is of the type
-/// that is told; otherwise one of that type stands for it.
+/// The node whose field an XReplace means: the one that stands there by now, or that the text put
+/// there, if it is of the type that is told; otherwise one of that type stands for it.
 NodeId XmtSceneReader::read_child_type(XmtAttributes& attributes, const XReplace& command) {
   const std::string type = attributes.text("atChildNode");
-  const auto* list =
+  const auto* now = lists_.list(scene_, command.target);
+  const auto* first =
       std::get_if<std::vector<NodeId>>(&scene_.value(command.target.node, command.target.field));
-  const NodeId child = list != nullptr ? xreplace_element(scene_, command, *list) : NodeId{};
-  if (child.valid() && (type.empty() || scene_.type_name(child) == type)) return child;
+  for (const auto* list : {now, first}) {
+    const NodeId child = list != nullptr ? xreplace_element(scene_, command, *list) : NodeId{};
+    if (child.valid() && (type.empty() || scene_.type_name(child) == type)) return child;
+  }
   const NodeDefinition* known = nodes::definitions().find(type);
   const nodes::ProtoId proto = scene_.find_proto(type, scope_);
   if (known == nullptr && !proto.valid())
