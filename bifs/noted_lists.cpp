@@ -22,6 +22,9 @@ std::optional<size_t> place_in(size_t size, const Position& position) {
   return position.index < size ? std::optional<size_t>(position.index) : std::nullopt;
 }
 
+/// A short text can say that one long list is copied again and again: so many nodes altogether.
+constexpr uint64_t kMostCopied = uint64_t{1} << 24;
+
 FieldRef first_list(const Scene& scene, NodeId node) {
   const auto& fields = scene.node(node).definition->fields();
   for (size_t i = 0; i < fields.size(); ++i)
@@ -35,6 +38,7 @@ FieldRef first_list(const Scene& scene, NodeId node) {
 void NotedLists::clear() {
   lists_.clear();
   gone_.clear();
+  copied_ = 0;
 }
 
 const std::vector<NodeId>* NotedLists::list(const Scene& scene, const FieldRef& field) {
@@ -109,7 +113,10 @@ void NotedLists::note(const Scene& scene, const XReplace& command) {
   FieldValue value = command.value;
   if (command.value_from) {
     value = scene.value(command.value_from->node, command.value_from->field);
-    if (const List* from = find(scene, *command.value_from)) value = from->nodes;
+    if (const List* from = find(scene, *command.value_from)) {
+      if ((copied_ += from->nodes.size()) > kMostCopied) return;
+      value = from->nodes;
+    }
   }
   if (position) {
     replace(scene, target, *position, value);

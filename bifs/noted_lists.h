@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@ namespace afx::bifs {
 /// Lists of nodes as commands leave them, for who does not carry the commands out: the scene given
 /// is the one that the commands are said for, with the nodes as they come in their commands. What
 /// apply_command would refuse, but for nodes that would stand inside themselves, changes nothing.
+/// Beyond 2^24 nodes, lists that are copied from other fields are not followed.
 class NotedLists {
  public:
   /// A command that comes after those noted so far.
@@ -38,6 +40,7 @@ class NotedLists {
   void note(const nodes::Scene& scene, const XReplace& command);
 
   std::map<std::pair<nodes::NodeId, nodes::FieldIndex>, List> lists_;
+  uint64_t copied_ = 0;                ///< nodes, from lists of other fields
   std::vector<NodeReplacement> gone_;  ///< by others, or NULL: from every list, in this order
 };
 
