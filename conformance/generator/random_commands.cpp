@@ -140,6 +140,7 @@ std::optional<FieldRef> SceneMaker::random_target(bool list) {
     if ((!list || is_multiple(field.type)) && !(fits_ && is_index(field))) fields.push_back(index);
   }
   if (fields.empty()) return std::nullopt;
+  changed_ = node;
   return FieldRef{node, choices_.of(fields)};
 }
 
@@ -177,6 +178,7 @@ std::optional<NodeId> SceneMaker::gone_node() {
   if (known.empty()) return std::nullopt;
   const NodeId node = choices_.of(known);
   std::erase(known, node);
+  changed_ = node;
   std::erase_if(route_ids_, [&](uint32_t id) {
     const auto& routes = scene_.scope().routes;
     return std::none_of(routes.begin(), routes.end(), [&](const nodes::Route& route) {
@@ -205,6 +207,7 @@ std::optional<Command> SceneMaker::multiple_fields() {
   const auto& known = known_[Scene::kMain].nodes;
   if (known.empty()) return std::nullopt;
   bifs::MultipleFieldReplacement command{choices_.of(known), {}};
+  changed_ = command.target;
   for (const FieldIndex index : definition(command.target).fields_in(IndexMode::def)) {
     const FieldDefinition& one = definition(command.target).field(index);
     const NodeDefinition* standard = nodes::definitions().find(definition(command.target).name);
@@ -221,7 +224,9 @@ std::optional<FieldRef> SceneMaker::source_of(FieldType type) {
   std::vector<FieldRef> found;
   for (const NodeId node : known_[Scene::kMain].nodes)
     for (const FieldIndex index : definition(node).fields_in(IndexMode::def))
-      if (definition(node).field(index).type == type) found.push_back({node, index});
+      if (definition(node).field(index).type == type &&
+          !reaches(scene_.value(node, index), changed_))
+        found.push_back({node, index});
   if (found.empty()) return std::nullopt;
   return choices_.of(found);
 }
@@ -246,6 +251,7 @@ std::optional<Command> SceneMaker::random_xreplace() {
     if (fields != nullptr && !fields->empty()) {
       command.child_field = FieldRef{child, choices_.of(*fields)};
       written = &field(*command.child_field);
+      changed_ = child;
       type = written->type;
     }
   }

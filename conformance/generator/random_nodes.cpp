@@ -58,10 +58,25 @@ NodeId SceneMaker::new_node(NodeDataType type, ScopeId scope, unsigned depth) {
   return fill(scene_.add(*choices_.of(candidates), scope), depth);
 }
 
+/// Whether a node stands in a value or below it, by now.
+bool SceneMaker::reaches(const FieldValue& value, NodeId wanted) const {
+  if (const auto* node = std::get_if<NodeId>(&value); node != nullptr && node->valid()) {
+    const auto& values = scene_.node(*node).values;
+    return *node == wanted || std::any_of(values.begin(), values.end(), [&](const auto& entry) {
+      return reaches(entry.value, wanted);
+    });
+  }
+  const auto* list = std::get_if<std::vector<NodeId>>(&value);
+  return list != nullptr && std::any_of(list->begin(), list->end(),
+                                        [&](NodeId node) { return reaches(node, wanted); });
+}
+
 std::optional<NodeId> SceneMaker::used_node(NodeDataType type, ScopeId scope) {
   std::vector<NodeId> candidates;
   for (const NodeId node : known_[scope].nodes)
-    if (contains(definition(node).data_types, type)) candidates.push_back(node);
+    if (contains(definition(node).data_types, type) &&
+        !(changed_.valid() && reaches(node, changed_)))
+      candidates.push_back(node);
   if (candidates.empty()) return std::nullopt;
   return choices_.of(candidates);
 }

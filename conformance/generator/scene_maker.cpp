@@ -51,6 +51,7 @@ bifs::Presentation SceneMaker::make() {
 
 bifs::SceneReplacement SceneMaker::new_scene() {
   known_.clear();
+  changed_ = {};
   route_ids_.clear();
   scene_.scope().names.clear();  // IDs and names begin anew
   bifs::SceneReplacement scene;
@@ -62,6 +63,7 @@ bifs::SceneReplacement SceneMaker::new_scene() {
 
 /// Adds one command, or a pair; where the scene has nothing to be changed, one that does nothing.
 void SceneMaker::add_command(std::vector<Command>& commands) {
+  changed_ = {};
   if (auto command = random_command()) {
     commands.push_back(std::move(*command));
     apply(commands.back());

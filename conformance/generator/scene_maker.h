@@ -35,6 +35,7 @@ class SceneMaker {
   NodeId random_node(nodes::NodeDataType type, nodes::ScopeId scope, unsigned depth);
   NodeId new_node(nodes::NodeDataType type, nodes::ScopeId scope, unsigned depth);
   NodeId fill(NodeId node, unsigned depth);
+  [[nodiscard]] bool reaches(const nodes::FieldValue& value, NodeId wanted) const;
   std::optional<NodeId> used_node(nodes::NodeDataType type, nodes::ScopeId scope);
   std::optional<NodeId> new_instance(nodes::NodeDataType type, nodes::ScopeId scope,
                                      unsigned depth);
@@ -107,6 +108,7 @@ class SceneMaker {
   nodes::Scene& scene_ = out_.scene;
   std::map<nodes::ScopeId, Known> known_;
   std::vector<uint32_t> route_ids_;  ///< of ROUTEs that are there
+  NodeId changed_;  ///< what the command at work changes: nodes that hold it may not come into it
   uint32_t proto_ids_ = 0;
   uint32_t nodes_left_ = 0;  ///< that may be made before it ends
   /// Nodes as they come in their command, before later commands change them; by node number.
