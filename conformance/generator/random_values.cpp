@@ -160,17 +160,19 @@ FieldValue random_element(Choices& choices, const FieldDefinition& field, FieldT
   }
 }
 
+template <class T>
+void append_to(std::vector<T>& list, const FieldValue& element) {
+  if constexpr (std::is_same_v<T, uint8_t>) {  // MFBool
+    list.push_back(static_cast<uint8_t>(std::get<bool>(element)));
+  } else {
+    list.push_back(std::get<T>(element));
+  }
+}
+void append_to(auto&, const FieldValue&) {}  // no list
+
 /// Adds to a list an element of its type.
-void append(FieldValue& list, FieldValue element) {
-  std::visit(
-      [&]<class List>(List& values) {
-        if constexpr (std::is_same_v<List, std::vector<uint8_t>>) {
-          values.push_back(static_cast<uint8_t>(std::get<bool>(element)));
-        } else if constexpr (requires { std::get<typename List::value_type>(element); }) {
-          values.push_back(std::move(std::get<typename List::value_type>(element)));
-        }
-      },
-      list);
+void append(FieldValue& list, const FieldValue& element) {
+  std::visit([&](auto& values) { append_to(values, element); }, list);
 }
 
 bool same(const auto& a, const auto& b) { return a == b; }
