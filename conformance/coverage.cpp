@@ -24,13 +24,17 @@ std::vector<std::string> columns_of(const std::vector<RuleCover>& rows,
   return columns;
 }
 
-std::string cells(const RuleCover& row, const std::vector<std::string>& columns) {
+/// A strip with a mark for each case that covers the rule, at its place among the columns.
+std::string strip(const RuleCover& row, const std::vector<std::string>& columns) {
   const std::set<std::string> covering(row.cases.begin(), row.cases.end());
-  std::string html = "<td class=\"cells\">";
-  for (const std::string& column : columns)
-    html += covering.contains(column) ? "<i class=\"on\" title=\"" + html_text(column) + "\"></i>"
-                                      : "<i></i>";
-  return html + "</td>";
+  const double mark = std::max(1.0, static_cast<double>(columns.size()) / 120);
+  std::string html = "<td><svg class=\"strip\" preserveAspectRatio=\"none\" viewBox=\"0 0 " +
+                     std::to_string(columns.size()) + " 1\">";
+  for (size_t i = 0; i < columns.size(); ++i)
+    if (covering.contains(columns[i]))
+      html += "<rect x=\"" + std::to_string(i) + "\" width=\"" + std::to_string(mark) +
+              "\" height=\"1\"><title>" + html_text(columns[i]) + "</title></rect>";
+  return html + "</svg></td>";
 }
 
 std::string case_list(const RuleCover& row) {
@@ -52,10 +56,10 @@ std::string table(const RuleSet& set, const std::vector<Suite>& suites) {
                      " cases cover them.</p>\n<table>\n"
                      "<tr><th>rule</th><th>section</th><th></th><th>cases</th><th></th></tr>\n";
   for (const RuleCover& row : rows)
-    html += std::string(row.cases.empty() ? "<tr class=\"gap\">" : "<tr>") + "<td><code>" +
-            html_text(row.rule->id) + "</code></td><td>" + html_text(row.rule->section) +
-            "</td><td>" + html_text(row.rule->text) + "</td>" + case_list(row) +
-            cells(row, columns) + "</tr>\n";
+    html += std::string(row.cases.empty() ? "<tr class=\"gap\">" : "<tr>") +
+            "<td class=\"rule\"><code>" + html_text(row.rule->id) + "</code></td><td>" +
+            html_text(row.rule->section) + "</td><td>" + html_text(row.rule->text) + "</td>" +
+            case_list(row) + strip(row, columns) + "</tr>\n";
   return html + "</table>\n";
 }
 

@@ -24,9 +24,8 @@ constexpr std::string_view kStyle = R"(
   figure { display: inline-block; margin: .5rem 1rem .5rem 0; } figcaption { font-size: .85em; }
   figure img { image-rendering: pixelated; max-width: 22rem; border: 1px solid var(--line); }
   summary { cursor: pointer; } tr.gap td { background: #c0262d22; color: var(--bad); }
-  .cells { white-space: nowrap; line-height: 0; min-width: 12rem; }
-  .cells i { display: inline-block; width: 3px; height: 14px; background: #8882; }
-  .cells i.on { background: var(--good); }
+  .strip { display: block; width: 15rem; height: 1rem; background: #8882; fill: var(--good); }
+  .rule { white-space: nowrap; }
 )";
 
 constexpr char kHex[] = "0123456789abcdef";

@@ -170,8 +170,8 @@ TEST_F(RulesOfSuites, ThePageShowsWhatIsCoveredAndTheGapsInRed) {
   EXPECT_TRUE(cover.at(1).cases.empty());
   const std::string page = coverage_page(sets.value(), suites);
   EXPECT_THAT(page, HasSubstr("2 rules, 1 without a case"));
-  EXPECT_THAT(page, HasSubstr("<tr class=\"gap\"><td><code>b</code>"));
-  EXPECT_THAT(page, HasSubstr("<tr><td><code>a</code>"));
+  EXPECT_THAT(page, HasSubstr("<tr class=\"gap\"><td class=\"rule\"><code>b</code>"));
+  EXPECT_THAT(page, HasSubstr("<tr><td class=\"rule\"><code>a</code>"));
 }
 
 TEST(Sha256, IsThatOfTheStandardsExample) {  // FIPS 180-4, "abc"
