@@ -13,8 +13,9 @@ namespace afx::bifs {
 /// An insertion behind the end of a list appends; values given to an eventIn of a node that has an
 /// exposedField of its stem (set_coordIndex, coordIndex) go there, others are dropped.
 ///
-/// Errors: bad_argument, and nothing is changed: an index behind the end in a replacement or
-/// deletion, no such ROUTE, a node that would come to stand inside itself, a value of another type.
+/// Errors: bad_argument, and nothing is changed (of a command with several values those before the
+/// one that is refused are set): an index behind the end in a replacement or deletion, no such
+/// ROUTE, a node that would come to stand inside itself, a value of another type.
 Status apply_command(nodes::Scene& scene, const Command& command);
 
 }  // namespace afx::bifs
