@@ -62,7 +62,7 @@ class SuiteTest : public testing::Test {
 
   /// What comes of a check when the decoder answers this.
   [[nodiscard]] Outcome outcome(const nlohmann::json& check, const Answer& answer) {
-    document["cases"][0]["expect"] = {check};
+    document["cases"][0]["expect"] = nlohmann::json::array({check});
     const auto suite = read();
     if (!suite.ok()) return {.verdict = Verdict::failed, .text = to_string(suite.error())};
     const ToldDecoder decoder([&](const Question&) { return answer; });

@@ -159,7 +159,7 @@ TEST_F(Judged, WhatWasNotAskedIsNotRunAndACrashFails) {
 }
 
 TEST_F(Judged, TheBitOfAWrongValueIsToldWhereItIsKnown) {
-  document["cases"][0]["expect"] = {decode_check({{"a", 1}})};
+  document["cases"][0]["expect"] = json::array({decode_check({{"a", 1}})});
   const std::vector<Suite> suites{read().value()};
   const ToldDecoder decoder([](const Question&) { return values({{"a", 2}}); });
   const auto locate = [](const Question& question, const std::string& pointer) {

@@ -35,10 +35,10 @@ class WrongSuite : public SuiteTest {
   void expect_case_refused(const json& patch, const std::string& text) {
     json one = document["cases"][0];
     one.merge_patch(patch);
-    expect_refused({{"cases", {one}}}, text);
+    expect_refused({{"cases", json::array({one})}}, text);
   }
   void expect_check_refused(const json& check, const std::string& text) {
-    expect_case_refused({{"expect", {check}}}, text);
+    expect_case_refused({{"expect", json::array({check})}}, text);
   }
   std::string failure() {
     const std::vector<Suite> suites{read().value()};
@@ -104,7 +104,7 @@ TEST_F(WrongSuite, AMemberThatIsMissingWrongOrUnknownIsNamed) {
   expect_refused({{"title", 7}}, "/title is not a text");
   expect_refused({{"tittle", "x"}}, "/tittle is not known here");
   expect_refused({{"cases", json::array()}}, "/cases holds no case");
-  expect_refused({{"cases", {1}}}, "/cases/0 is not an object");
+  expect_refused({{"cases", json::array({1})}}, "/cases/0 is not an object");
   expect_case_refused({{"kind", "film"}}, "/cases/0/kind is 'film' (expected octree, mp4, ");
   expect_case_refused({{"origin", "them"}}, "names the origin 'them'");
   expect_case_refused({{"expect", json::array()}}, "/cases/0/expect holds no check");
@@ -149,13 +149,13 @@ class RulesOfSuites : public SuiteTest {
                             {{{"id", "a"}, {"section", "1"}, {"text", "Rule a."}},
                              {{"id", "b"}, {"section", "2"}, {"text", "Rule b."}}}}}
                           .dump());
-    document["rules"] = {"rules.json"};
-    document["cases"][0]["covers"] = {"a"};
+    document["rules"] = json::array({"rules.json"});
+    document["cases"][0]["covers"] = json::array({"a"});
   }
 };
 
 TEST_F(RulesOfSuites, ACaseThatCoversNoKnownRuleIsAnError) {
-  document["cases"][0]["covers"] = {"c"};
+  document["cases"][0]["covers"] = json::array({"c"});
   const auto sets = rules_of({read().value()});
   ASSERT_FALSE(sets.ok());
   EXPECT_THAT(sets.error().text, HasSubstr("the case one covers 'c', which is no rule"));

@@ -27,12 +27,12 @@ class ConformanceProgram : public Program {
                       {"stream", "one." + kind},
                       {"sha256", digest("one." + kind)},
                       {"origin", "us"},
-                      {"expect", {check}}};
+                      {"expect", json::array({check})}};
     write_file(file("s/suite.json"),
                json{{"suite", "small"},
                     {"title", "Small"},
                     {"origins", {{"us", {{"text", "a test"}, {"licence", "CC0-1.0"}}}}},
-                    {"cases", {one}}}
+                    {"cases", json::array({one})}}
                    .dump());
   }
   void SetUp() override {
