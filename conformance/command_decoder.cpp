@@ -25,12 +25,6 @@ void replace_all(std::string& text, const std::string& word, const std::string& 
 
 bool is_json(Form form) { return form != Form::stream && form != Form::image; }
 
-/// The form that a decoder without {as} is asked for.
-Form only_form(const std::string& kind) {
-  if (kind == "octree") return Form::octree;
-  return kind == "picture" ? Form::picture : Form::commands;
-}
-
 /// The last line that it printed to standard error, in brackets; the first `kMostTalk` bytes count.
 std::string talk(const std::string& path) {
   const auto bytes = read_whole_file(path, kMostOutput);
@@ -67,7 +61,7 @@ Answer bytes_answer(const std::string& path, bool accepted) {
 }  // namespace
 
 std::string CommandDecoder::why_not_asked(const Question& question) const {
-  if (!has("{as}") && question.form != only_form(question.kind))
+  if (!has("{as}") && question.form != first_form_of(question.kind))
     return std::string("the command has no {as} to ask for ") + to_string(question.form);
   if (!has("{levels}") && question.levels != kAllLevels)
     return "the command has no {levels} to ask for a coarser model";

@@ -92,7 +92,7 @@ class Judge {
   }
 
   Outcome operator()(const RejectCheck& check) const {
-    const Answer answer = decoder_.ask(question_for(first_form()));
+    const Answer answer = decoder_.ask(question_for(first_form_of(case_.kind)));
     if (auto nothing = without_answer(answer)) return *nothing;
     const std::string wanted = " (expected " + to_string(check.error) +
                                (check.reason.empty() ? "" : ": " + check.reason) + ")";
@@ -125,12 +125,6 @@ class Judge {
  private:
   Question question_for(Form form) const {
     return {.path = suite_.folder + "/" + case_.stream.path, .kind = case_.kind, .form = form};
-  }
-
-  /// The form that a stream of this kind is first of all.
-  Form first_form() const {
-    if (case_.kind == "octree") return Form::octree;
-    return case_.kind == "picture" ? Form::picture : Form::commands;
   }
 
   Outcome compare_with_file(const DecodeCheck& check, const Question& question,

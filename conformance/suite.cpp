@@ -180,6 +180,11 @@ std::optional<Form> form_of(std::string_view name) {
   return {};
 }
 
+Form first_form_of(std::string_view kind) {
+  if (kind == "octree") return Form::octree;
+  return kind == "picture" ? Form::picture : Form::commands;
+}
+
 std::string to_string(const Finding& finding) {
   if (finding.place.kind == Place::Kind::none) return finding.code;
   if (finding.place.kind == Place::Kind::bit)

@@ -30,6 +30,8 @@ enum class Form {
 const char* to_string(Form form);
 /// Nothing where no form has that name.
 std::optional<Form> form_of(std::string_view name);
+/// What a stream of a kind (Case::kind) is first of all: octree, picture, else commands.
+Form first_form_of(std::string_view kind);
 
 /// An error or warning: its code, and its place as far as one is named.
 struct Finding {
