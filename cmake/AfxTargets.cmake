@@ -18,6 +18,9 @@ if(AFX_SANITIZE)
   target_compile_options(afx_options INTERFACE -fsanitize=${AFX_SANITIZE}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(afx_options INTERFACE -fsanitize=${AFX_SANITIZE})
+  if(AFX_SANITIZE MATCHES address)
+    target_compile_definitions(afx_options INTERFACE AFX_ADDRESS_SANITIZER)
+  endif()
 endif()
 
 if(AFX_TESTS)

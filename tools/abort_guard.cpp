@@ -11,14 +11,6 @@
 #include "afx/file.h"
 #include "tools/session.h"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define AFX_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define AFX_ADDRESS_SANITIZER 1
-#endif
-#endif
-
 namespace afx::tools {
 namespace {
 

@@ -19,7 +19,7 @@ TEST(AbortGuard, TurnsAnAbortIntoOneLineAndExitThree) {
       testing::ExitedWithCode(3), "^afx: bad.obj: cannot be imported");
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef AFX_ADDRESS_SANITIZER
 TEST(AbortGuard, TurnsBadMemoryIntoTheSame) {
   for (const int signal : {SIGSEGV, SIGBUS}) {
     EXPECT_EXIT(

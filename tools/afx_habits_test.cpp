@@ -52,7 +52,7 @@ TEST_F(Program, IgnoredInterruptsStayIgnoredOthersAre130) {
 }
 
 TEST_F(Program, ModelsThatOverflowTheLibraryAreExitThree) {
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef AFX_ADDRESS_SANITIZER
   GTEST_SKIP() << "the sanitizer reports the overflow itself";
 #endif
   write_file(file("deep.gltf"), std::string(3000000, '['));
