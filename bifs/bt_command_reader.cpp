@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bifs/bt_text_reader.h"
+#include "bifs/top_node.h"
 #include "nodes/nearest_name.h"
 
 namespace afx::bifs {
@@ -166,11 +167,10 @@ void BtTextReader::read_replace_scene(Commands& out) {
   while (in_.peek_word() == "PROTO" || in_.peek_word() == "EXTERNPROTO")
     read_declaration(Scene::kMain);
   command.root = read_node_or_null(Scene::kMain);
-  if (in_.ok() && !is_top_node(command.root))
-    return in_.fail(
-        Errc::malformed, in_.offset(),
-        "a " + scene_.type_name(command.root) +
-            " may not be the top node [expected Group, OrderedGroup, Layer2D, Layer3D]");
+  if (in_.ok() && !may_be_top_node(scene_, command.root))
+    return in_.fail(Errc::malformed, in_.offset(),
+                    "a " + scene_.type_name(command.root) + " may not be the top node [expected " +
+                        kTopNodes + "]");
   while (in_.ok() && !in_.at_end() && in_.peek() != '}' && read_declaration(Scene::kMain)) {
   }
   nodes::Scope& scope = scene_.scope();

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "bifs/bt_text_reader.h"
-#include "nodes/definitions.h"
+#include "bifs/top_node.h"
 
 namespace afx::bifs {
 
@@ -88,6 +88,7 @@ void BtTextReader::read_scene_statement(size_t begin) {
                     "found " + quoted(word.empty() ? in_.text().substr(begin, 1) : word) +
                         " behind the scene [expected AT or a command]");
   read_statement(Scene::kMain);
+  if (scene_.roots().size() > root_begins_.size()) root_begins_.push_back(begin);
 }
 
 /// What has been read of the scene becomes a command of time 0.
@@ -111,28 +112,18 @@ void BtTextReader::end_scene() {
 void BtTextReader::settle_roots(SceneReplacement& command) {
   std::vector<NodeId> roots = std::exchange(scene_.scope().roots, {});
   if (roots.empty()) return;
-  if (roots.size() == 1 && is_top_node(roots[0])) {
+  if (roots.size() == 1 && may_be_top_node(scene_, roots[0])) {
     command.root = roots[0];
     return;
   }
-  in_.warn("top_nodes", 0,
+  size_t refused = 0;
+  const Result<NodeId> group = put_in_group(scene_, roots, refused);
+  if (!group.ok()) return in_.fail(group.error().code, root_begins_[refused], group.error().text);
+  command.root = group.value();
+  in_.warn("top_nodes", root_begins_.back(),
            roots.size() == 1 ? "a " + scene_.type_name(roots[0]) +
                                    " may not be the top node; it is put in a Group"
                              : std::to_string(roots.size()) + " top nodes are put in a Group");
-  const Result<NodeId> group = scene_.add("Group");
-  if (!group.ok()) return;
-  command.root = group.value();
-  for (const NodeId root : roots) {
-    const Status appended = scene_.append(command.root, "children", root);
-    if (!appended.ok()) in_.fail(Errc::malformed, 0, "the top node: " + appended.error().text);
-  }
-}
-
-bool BtTextReader::is_top_node(NodeId id) const {
-  static const auto kTopNode = nodes::definitions().find_data_type("SFTopNode");
-  if (!id.valid() || !kTopNode) return true;
-  const nodes::Node& node = scene_.node(id);
-  return contains(node.definition->data_types, *kTopNode);
 }
 
 /// `[RAP] AT [D]time [IN stream] { commands }`.

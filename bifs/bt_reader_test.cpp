@@ -183,6 +183,7 @@ TEST(BtReader, SeveralTopNodesGoUnderAGroup) {
   EXPECT_EQ(one.value().scene.type_name(scene.root), "Group");
   ASSERT_EQ(diagnostics.count(), 1U);
   EXPECT_EQ(diagnostics.warnings()[0].code, "top_nodes");
+  EXPECT_EQ(diagnostics.warnings()[0].place, Place::at_line(1, 10));
 }
 
 TEST(BtReader, CommandBuffersMaySpeakOfNodesBehindThem) {
@@ -258,6 +259,9 @@ constexpr BadText kBad[] = {
      "1:43: REPLACE: found '[' [expected BY, for this field is no list]"},
     {"Group {} AT 1 { REPLACE SCENE BY Shape {} }", Errc::malformed,
      "a Shape may not be the top node [expected Group, OrderedGroup, Layer2D, Layer3D]"},
+    {"Shape {}\n  Box {}", Errc::malformed,
+     "2:3: a Box may not stand at the top [expected Group, Shape or another that may stand under a "
+     "Group]"},
     {"Group {} AT 1 IN 7 { }", Errc::unsupported,
      "1:18: commands in the stream 7 [expected the first scene stream or that of object "
      "descriptors]"},

@@ -48,7 +48,6 @@ class BtTextReader final : private nodes::SceneTextReader {
   AccessUnit& unit_at(uint64_t time, bool descriptors, bool random_access);
   void merge_units();
   void settle_roots(SceneReplacement& command);
-  bool is_top_node(nodes::NodeId id) const;
   void begin_epoch();
   void end_epoch();
   void assign_body_route_ids();
@@ -113,6 +112,7 @@ class BtTextReader final : private nodes::SceneTextReader {
   Presentation out_;
   bool has_initial_ = false;
   bool scene_open_ = true;  ///< nodes may still be of the scene that no command begins
+  std::vector<size_t> root_begins_;  ///< offsets of that scene's top nodes
   nodes::ScopeId scope_ = nodes::Scene::kMain;  ///< whose names commands mean
   uint64_t last_time_ = 0;
   std::vector<AccessUnit> scene_units_, descriptor_units_;  ///< in the order of time

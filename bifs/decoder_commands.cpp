@@ -7,6 +7,7 @@
 #include "bifs/command_codes.h"
 #include "bifs/decoder_frame.h"
 #include "bifs/node_codes.h"
+#include "bifs/top_node.h"
 
 namespace afx::bifs {
 
@@ -133,8 +134,7 @@ Command FrameDecoder::read_scene_replacement() {
   command.use_names = state_.use_names;
   forget_scene();
   command.protos = read_protos();
-  static const auto kTopNode = nodes::definitions().find_data_type("SFTopNode");
-  command.root = read_node(kTopNode.value_or(nodes::kWorldNode));
+  command.root = read_node(top_node_type());
   if (u(1, "hasROUTEs") != 0) command.routes = read_routes();
   return command;
 }

@@ -9,6 +9,7 @@
 #include "bifs/command_codes.h"
 #include "bifs/encoder_frame.h"
 #include "bifs/node_codes.h"
+#include "bifs/top_node.h"
 
 namespace afx::bifs {
 
@@ -160,8 +161,7 @@ void FrameEncoder::write(const SceneReplacement& c) {
     quantizer_ = nullptr;
   }
   protos(c.protos);
-  static const auto kTopNode = nodes::definitions().find_data_type("SFTopNode");
-  node(c.root, kTopNode.value_or(nodes::kWorldNode));
+  node(c.root, top_node_type());
   put_flag(!c.routes.empty());
   if (!c.routes.empty()) routes(c.routes);
 }

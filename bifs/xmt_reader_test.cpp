@@ -42,17 +42,18 @@ const std::vector<Command>& commands(const Presentation& presentation, size_t un
   return std::get<std::vector<Command>>(presentation.units.at(unit).commands);
 }
 
-/// A scene of one node.
+/// A node that takes the place of another, where any may stand.
 std::string alone(const std::string& node) {
-  return in_body("<Replace><Scene>" + node + "</Scene></Replace>");
+  return in_body("<Replace><Scene><Group DEF='Old'/></Scene></Replace><Replace atNode='Old'>" +
+                 node + "</Replace>");
 }
 
 /// The first value of that node.
 template <class T>
 T value_in(const std::string& node) {
   const Presentation presentation = read(alone(node));
-  const NodeId root = std::get<SceneReplacement>(commands(presentation).at(0)).root;
-  return std::get<T>(presentation.scene.node(root).values.at(0).value);
+  const NodeId alone = std::get<NodeReplacement>(commands(presentation).at(1)).node;
+  return std::get<T>(presentation.scene.node(alone).values.at(0).value);
 }
 
 Error error_of(const std::string& text, const Limits& limits = {}) {
@@ -312,6 +313,17 @@ TEST(XmtWriting, HandsOnLongTextsInPieces) {
   EXPECT_LT(longest, size_t{100000});
 }
 
+TEST(XmtReader, ATopNodeOfAnotherTypeGoesUnderAGroup) {
+  Diagnostics warnings;
+  const auto one = read_xmt(in_body("<Replace><Scene><Shape/></Scene></Replace>"), {}, warnings);
+  ASSERT_TRUE(one.ok());
+  const NodeId root = std::get<SceneReplacement>(commands(one.value()).at(0)).root;
+  EXPECT_EQ(one.value().scene.type_name(root), "Group");
+  ASSERT_EQ(warnings.count(), 1U);
+  EXPECT_EQ(warnings.warnings()[0].code, "top_nodes");
+  EXPECT_EQ(warnings.warnings()[0].place, Place::at_line(2, 18));
+}
+
 TEST(XmtErrors, SayWhereAndWhatIsMeant) {
   struct Case {
     std::string text;
@@ -342,6 +354,8 @@ TEST(XmtErrors, SayWhereAndWhatIsMeant) {
       {in_scene("<Group><IS/></Group>"), Place::at_line(3, 9), "outside the body of a PROTO"},
       {in_scene("<ProtoInstance name='P'/>"), Place::at_line(3, 22), "no PROTO 'P'"},
       {in_scene("<PixelTexture image='1 1 5 0'/>"), Place::at_line(3, 22), "5 components"},
+      {in_body("<Replace><Scene> <Box/></Scene></Replace>"), Place::at_line(2, 19),
+       "a Box may not stand at the top [expected Group, Shape"},
       {in_body("<Inser/>"), Place::at_line(2, 2), "did you mean 'Insert'?"},
       {in_body("<Replace atNod='x'/>"), Place::at_line(2, 2), "without atNode"},
       {in_body("<Replace><Scene><Transform DEF='T'/></Scene></Replace>\n"

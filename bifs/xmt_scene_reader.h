@@ -82,6 +82,7 @@ class XmtSceneReader {
   Command read_deletion(Element element);
   Command read_replacement(Element element);
   Command read_scene_replacement(Element scene);
+  nodes::NodeId settled_root(nodes::NodeId root, std::string_view where);
   void forget_scene();
   Command read_extended(Element element, XmtAttributes& attributes, std::string_view kind);
   Command read_multiple_fields(Element element, XmtAttributes& attributes);

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "bifs/top_node.h"
 #include "bifs/xmt_names.h"
 #include "bifs/xmt_scene_reader.h"
 #include "nodes/definitions.h"
@@ -167,13 +168,24 @@ Command XmtSceneReader::read_scene_replacement(Element scene) {
       command.routes.push_back(read_route(child));
     } else if (child.type() == pugi::node_element) {
       root(name);
-      command.root = read_node(child);
+      command.root = settled_root(read_node(child), name);
     } else {
       for (const std::string_view word : words_of(document_.value(child)))
         word == "NULL" ? root(word) : refuse(child, {"a node", "NULL"});
     }
   }
   return command;
+}
+
+/// The top node: a node that may not be that is put in a Group.
+NodeId XmtSceneReader::settled_root(NodeId root, std::string_view where) {
+  if (!document_.ok() || may_be_top_node(scene_, root)) return root;
+  size_t refused = 0;
+  const Result<NodeId> group = put_in_group(scene_, {&root, 1}, refused);
+  if (!group.ok()) return document_.fail(where, group.error().text), root;
+  document_.warn("top_nodes", where,
+                 "a " + scene_.type_name(root) + " may not be the top node; it is put in a Group");
+  return group.value();
 }
 
 /// Names and IDs mean the new scene from here on.
