@@ -99,9 +99,7 @@ class PredictiveDecoder {
       value_ = *next;
       return;
     }
-    const bool guessed = code_->looked_past_end();
-    end_code();
-    if (guessed) in_.fail(Errc::truncated, "the data end inside residuals");
+    end_code();  // fails where the data end and the value may have been guessed
     in_.fail(Errc::malformed,
              "a predicted value is outside the range of the quantizer [expected residuals that "
              "stay within it]");

@@ -407,6 +407,18 @@ TEST(PredictiveFields, EachBadFieldIsRefused) {
   }
 }
 
+TEST(PredictiveFields, OfAValueOutOfRangeAreMalformedAlsoWhereTheDataEndBehindTheirWholeCode) {
+  const PlainFrame plain;
+  const Sample& octree = plain.sample("integer 13");
+  const std::string coded = text(*encode_predictive(octree.layout, integers({0, 200, 400}), {}));
+  const size_t end = plain.bits.find(octree.plain()) + 1 + coded.size();
+  const std::string frame = plain.with(octree, "1" + coded).substr(0, end);
+  const auto refused = decode_bytes(bytes(frame));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, Errc::malformed) << to_string(refused.error());
+  EXPECT_NE(refused.error().text.find("outside the range"), std::string::npos);
+}
+
 TEST(PredictiveFields, ThatAreNotQuantizedAreRefused) {
   Scene scene;
   SceneReplacement command;
