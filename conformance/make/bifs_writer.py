@@ -99,47 +99,35 @@ class ValueWriter:
         self.out.append(inner)
         return {"commands": commands}
 
-    def quantized_value(self, field, category, value):
-        if category == 13:
-            low, width = field.bounds[0], field.width
-        elif category == 14:
-            low = 0 if field.bounds is None else field.bounds[0]
-            width = bits_for(self.points[-1])
-        if category in (13, 14):
-            self.out.u(width, value - low, "quantized")
-            return value
-        width = self.quantizer.width(category)
-        if category in (9, 10):
-            return self.direction(value, width, category == 9)
-        many = value if isinstance(value, (list, tuple)) else [value]
-        found = []
-        for i, one in enumerate(many):
-            low, high = self.quantizer.bounds(field, category, i)
-            code = q.quantized(one, low, high, width)
-            self.out.u(width, code, "quantized")
-            found.append(plain(q.restored(code, low, high, width)))
-        return found if isinstance(value, (list, tuple)) else found[0]
+    def points_here(self):
+        return self.points[-1] if self.points else None
 
-    def direction(self, value, width, is_normal):
-        components = value if is_normal else q.quaternion(value)
-        negative, largest, codes, found = q.direction_code(components, width, is_normal)
-        if is_normal:
-            self.out.u(1, int(negative), "direction")
-        self.out.u(2, largest, "orientation")
-        for code in codes:
-            self.out.u(width, code, "component")
-        return [plain(c) for c in (found if is_normal else q.rotation_of(found))]
+    def code_of(self, field, value):
+        """Of a value that is quantized now."""
+        self.used.add(f"bifs.field-type/{field.kind}")
+        category = self.quantizer.category(field) if self.quantizer else 0
+        if not category:
+            return None
+        self.used.add(f"bifs.quantization/{category}")
+        return self.quantizer.code_of(field, category, value, self.points_here())
+
+    def quantized(self, code):
+        if code.negative is not None:
+            self.out.u(1, int(code.negative), "direction")
+        if code.orientation is not None:
+            self.out.u(2, code.orientation, "orientation")
+        for number in code.numbers:
+            self.out.u(code.width, number, "quantized" if code.orientation is None else "component")
+        return code.found
 
     def single(self, field, value):
         kind = field.element
         if kind == "SFNode":
             self.used.add(f"bifs.field-type/{field.kind}")
             return self.node(value, field.data_type)
-        category = self.quantizer.category(field) if self.quantizer else 0
-        self.used.add(f"bifs.field-type/{field.kind}")
-        if category:
-            self.used.add(f"bifs.quantization/{category}")
-            return self.quantized_value(field, category, value)
+        code = self.code_of(field, value)
+        if code:
+            return self.quantized(code)
         if kind == "SFBool":
             self.out.u(1, int(value), "bool")
             return value

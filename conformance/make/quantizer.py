@@ -4,7 +4,8 @@
 import math
 import struct
 
-from node_facts import LARGEST, NODES, f32
+from bits import bits_for
+from node_facts import LARGEST, NODES, f32, plain
 
 # Of each category: what switches it on, its bounds, its width.
 LINEAR = {1: "position3D", 2: "position2D", 3: "drawOrder", 4: "color", 5: "textureCoordinate", 6: "angle",
@@ -15,6 +16,15 @@ INFINITE = {"+inf": LARGEST, "-inf": -LARGEST, "inf": LARGEST}
 
 def number(value):
     return INFINITE.get(value, value) if isinstance(value, str) else value
+
+
+class Code:
+    """A quantized value: its numbers of `width` bits, of directions the orientation, of normals whether that is
+    negative; and what a decoder must find."""
+
+    def __init__(self, width, numbers, found, orientation=None, negative=None):
+        self.width, self.numbers, self.found = width, numbers, found
+        self.orientation, self.negative = orientation, negative
 
 
 class Quantizer:
@@ -37,8 +47,24 @@ class Quantizer:
         wanted = {9: "SFVec3f", 10: "SFRotation"}.get(category)
         return category if kind == wanted and self["normalQuant"] else 0
 
-    def width(self, category):
+    def bits(self, field, category, points):
+        """Of one number; `points` are those of the geometry."""
+        if category in (13, 14):
+            return field.width if category == 13 else bits_for(points)
         return self["normalNbBits" if category in (9, 10) else LINEAR[category] + "NbBits"]
+
+    def code_of(self, field, category, value, points):
+        width = self.bits(field, category, points)
+        if category in (13, 14):
+            low = 0 if category == 14 and field.bounds is None else field.bounds[0]
+            return Code(width, [value - low], value)
+        if category in (9, 10):
+            return normal(value, width) if category == 9 else rotation(value, width)
+        many = value if isinstance(value, (list, tuple)) else [value]
+        bounds = [self.bounds(field, category, i) for i in range(len(many))]
+        numbers = [quantized(one, *ends, width) for one, ends in zip(many, bounds)]
+        found = [plain(restored(number, *ends, width)) for number, ends in zip(numbers, bounds)]
+        return Code(width, numbers, found if isinstance(value, (list, tuple)) else found[0])
 
     def bounds(self, field, category, component):
         def of(name):
@@ -93,6 +119,16 @@ def direction_of(negative, largest, codes, bits):
     for i, ratio in enumerate(ratios):
         components[(largest + 1 + i) % count] = ratio * length
     return components
+
+
+def normal(vector, width):
+    negative, largest, numbers, found = direction_code(vector, width, True)
+    return Code(width, numbers, [plain(c) for c in found], largest, negative)
+
+
+def rotation(value, width):
+    _, largest, numbers, found = direction_code(quaternion(value), width, False)
+    return Code(width, numbers, [plain(c) for c in rotation_of(found)], largest)
 
 
 def quaternion(rotation):
