@@ -3,6 +3,7 @@
 """Writes suites/bifs-syntax: scenes of this project's own, written from the texts and the tables alone.
 What a decoder must find is what was put in."""
 import bifs_cases
+import predictive_cases
 import proto_cases
 import quantizer_cases
 from bifs_cases import group
@@ -10,7 +11,7 @@ from command_writer import SceneStream, command as c
 from mp4_boxes import scene_file
 from node_facts import DATA_TYPES, NODES, VERSION_OF, code_path
 from node_samples import HOSTS, Values, full, hosted
-from scene_rules import elements_of
+from scene_rules import ORIGINS, elements_of, origin_of
 from scene_values import Node
 from suite_writer import Suite
 
@@ -79,12 +80,13 @@ def add(suite, name, about, stream, covers, tolerances=(), reencode=True):
     expect = [check]
     if reencode and not tolerances and not says_defaults(commands):
         expect.append({"check": "reencode", "equal": "commands"})
-    suite.case(name, about, "mp4", file, expect, set(covers) | stream.used | elements_of(commands))
+    suite.case(name, about, "mp4", file, expect, set(covers) | stream.used | elements_of(commands), origin_of(covers))
 
 
 def main():
-    suite = Suite("bifs-syntax", "Scenes of every node, field type, command and quantization", RULES)
-    for part in (bifs_cases.all_cases, proto_cases.all_cases, quantizer_cases.all_cases, node_cases, code_cases):
+    suite = Suite("bifs-syntax", "Scenes of every node, field type, command and quantization", RULES, ORIGINS)
+    for part in (bifs_cases.all_cases, proto_cases.all_cases, quantizer_cases.all_cases, predictive_cases.all_cases,
+                 node_cases, code_cases):
         for case in part():
             try:
                 add(suite, *case)

@@ -4,11 +4,12 @@
 form `commands` (suites/bifs-gpac/README.md), what a decoder must find there."""
 import struct
 
+import predictive_writer
 import quantizer as q
 import scripts
 from bits import BitWriter, bits_for
 from node_facts import DATA_TYPES, NODES, code_path, f32, plain
-from scene_values import Listed, Node, Use, Vector
+from scene_values import Listed, Node, Predicted, Use, Vector
 
 FLOAT_COUNT = {**q.FLOATS, "SFRotation": 4, "SFVec4f": 4}
 POINTS = ("Coordinate", "Coordinate2D")
@@ -151,7 +152,9 @@ class ValueWriter:
 
     def multiple(self, field, values):
         if self.predictive:
-            self.out.u(1, 0, "usePredictive")
+            self.out.u(1, int(isinstance(values, Predicted)), "usePredictive")
+        if isinstance(values, Predicted):
+            return predictive_writer.write(self, field, values)
         self.out.u(1, 0, "reserved")
         vector = isinstance(values, Vector) or (not isinstance(values, Listed) and len(values) > 6)
         self.out.u(1, int(not vector), "isList")

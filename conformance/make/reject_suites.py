@@ -6,8 +6,10 @@ from itertools import chain
 import bifs_reject_cases
 import config_reject_cases
 import mp4_reject_cases
+import predictive_reject_cases
 import proto_reject_cases
 from mp4_boxes import bit_in_file, scene_file
+from scene_rules import ORIGINS, origin_of
 from suite_writer import Suite
 
 
@@ -21,7 +23,7 @@ def add_fault(suite, name, about, fault):
     file, _ = movie.write()
     place = {} if fault.bit is None else {"bit": bit_in_file(movie, fault.unit, fault.bit)}
     covers = ["bifs." + rule for rule in fault.covers.split()]
-    suite.case(name, about, "mp4", file, expected(fault.code, place, about), covers)
+    suite.case(name, about, "mp4", file, expected(fault.code, place, about), covers, origin_of(covers))
 
 
 def add_files(suite, area, cases):
@@ -32,8 +34,9 @@ def add_files(suite, area, cases):
 
 
 def main():
-    suite = Suite("bifs-rejects", "Scenes that are to be refused", ["../rules/bifs.json"])
-    for name, about, fault in chain(bifs_reject_cases.all_cases(), proto_reject_cases.all_cases()):
+    suite = Suite("bifs-rejects", "Scenes that are to be refused", ["../rules/bifs.json"], ORIGINS)
+    for name, about, fault in chain(bifs_reject_cases.all_cases(), proto_reject_cases.all_cases(),
+                                    predictive_reject_cases.all_cases()):
         add_fault(suite, name, about, fault)
     add_files(suite, "bifs", config_reject_cases.all_cases())
     suite.close()

@@ -28,6 +28,17 @@ class Vector(list):
         self.more = more
 
 
+class Predicted(list):
+    """A multiple value coded predictively (bifs.md 10) in intraMode `mode`, 1 with a `period`. `intra`: the values of
+    mode 2 that are intra beside the first; `renewed`: the intra values with new parameters; `width`, `minimum`:
+    compNbBits and every compMin, where they are not to be the least."""
+
+    def __init__(self, values, mode=0, period=None, intra=(), renewed=(), width=None, minimum=None):
+        super().__init__(values)
+        self.mode, self.period, self.intra, self.renewed = mode, period, intra, renewed
+        self.width, self.minimum = width, minimum
+
+
 class Text(str):
     """A string whose length is written in more bits than it needs."""
     more = 0
