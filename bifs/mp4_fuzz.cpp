@@ -42,9 +42,13 @@ Status rewrite(std::span<const uint8_t> file, const Mp4Movie& movie, Bytes& out)
                    });
 }
 
-Mp4Movie without_offsets(Mp4Movie movie) {
+/// Without what is another in a written file: where samples lie, and the number of the data
+/// reference, of which it has one.
+Mp4Movie comparable(Mp4Movie movie) {
   for (Mp4Track& track : movie.tracks) {
     for (Mp4Sample& sample : track.samples) sample.offset = 0;
+    for (Mp4SampleEntry& entry : track.entries)
+      if (entry.head.size() >= 8) entry.head[6] = entry.head[7] = 0;
   }
   return movie;
 }
@@ -65,7 +69,7 @@ void run_file(std::span<const uint8_t> data) {
   Diagnostics none;
   const auto again = read_mp4(mp4_source(first), limits, none);
   require(again.ok());
-  require(without_offsets(movie.value()) == without_offsets(again.value()));
+  require(comparable(movie.value()) == comparable(again.value()));
   Bytes second;
   require(rewrite(first, again.value(), second).ok());
   require(first == second);

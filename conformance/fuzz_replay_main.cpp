@@ -3,9 +3,13 @@
 //
 // Runs a fuzz target as an ordinary test, where there is no libFuzzer: over every file of the
 // folders given, every truncation of the small ones, and random corruptions of all from a fixed
-// seed.
+// seed. An input on which the target aborts is left in failed_input.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -38,9 +42,18 @@ std::vector<Bytes> read_corpus(int count, char** folders) {
   return corpus;
 }
 
+const Bytes* g_input = nullptr;
+
+extern "C" void keep_input(int /*signal*/) {
+  const int file = open("failed_input", O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  const ssize_t written = write(file, g_input->data(), g_input->size());
+  (void)written;
+}
+
 /// A copy of its exact size each time, so that a sanitizer sees one byte too far.
 void run(const Bytes& data) {
   const Bytes copy(data.begin(), data.end());
+  g_input = &copy;
   LLVMFuzzerTestOneInput(copy.data(), copy.size());
 }
 
@@ -90,6 +103,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "no corpus files: nothing was tested\n");
     return 1;
   }
+  std::signal(SIGABRT, keep_input);
   size_t runs = 0;
   for (const Bytes& data : corpus) {
     run(data);
