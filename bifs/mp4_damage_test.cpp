@@ -247,6 +247,7 @@ TEST(Mp4Damage, ASampleThatIsNotThereIsRefused) {
   const auto cut = read_sample(mp4_source(std::span(file).first(45)), movie.tracks[0], 1, {});
   ASSERT_FALSE(cut.ok());
   EXPECT_EQ(cut.error().code, Errc::truncated);
+  EXPECT_EQ(cut.error().place, Place::at_byte(movie.tracks[0].samples[1].offset));
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ class PresentationDecoder {
   Result<CommandFrame> decode_unit(size_t index, const BifsDecoder::CommandSink& hear) {
     const UnitPlaces places(*scene_, index);
     const auto sample = view_sample(source_, *scene_, index, options_.limits);
-    if (!sample.ok()) return places.in_file(sample.error());
+    if (!sample.ok()) return sample.error();
     unit_begin_ = scene_->samples[index].offset;
     Diagnostics found;
     codec::Trace moved;
@@ -212,7 +212,7 @@ class PresentationDecoder {
     if (sink_ == nullptr) return {};
     const UnitPlaces places(*od_, index);
     const auto bytes = read_sample(source_, *od_, index, options_.limits);
-    if (!bytes.ok()) return places.in_file(bytes.error());
+    if (!bytes.ok()) return bytes.error();
     Diagnostics found;
     auto commands = read_od_commands(bytes.value(), options_.limits, found);
     places.in_file(found, diagnostics_);

@@ -229,10 +229,9 @@ namespace {
 /// Whether a sample can be read.
 Status check_sample(const Mp4Source& source, const Mp4Track& track, size_t index,
                     const Limits& limits) {
-  const auto refuse = [&](Errc code, const std::string& text) {
+  const auto refuse = [&](Errc code, const std::string& text, Place place = Place::none()) {
     return Error{
-        code,
-        index < track.samples.size() ? Place::at_byte(track.samples[index].offset) : Place::none(),
+        code, place,
         "track " + std::to_string(track.id) + ", sample " + std::to_string(index) + ": " + text};
   };
   if (index >= track.samples.size()) {
@@ -246,12 +245,13 @@ Status check_sample(const Mp4Source& source, const Mp4Track& track, size_t index
   if (!track.entries[sample.entry].in_this_file) {
     return refuse(Errc::unsupported, "it lies in another file, which is not read");
   }
+  const Place place = Place::at_byte(sample.offset);
   if (sample.offset > source.size || sample.size > source.size - sample.offset) {
     return refuse(Errc::truncated,
-                  "it ends behind the file of " + std::to_string(source.size) + " bytes");
+                  "it ends behind the file of " + std::to_string(source.size) + " bytes", place);
   }
   if (sample.size > limits.memory) {
-    return refuse(Errc::limit_exceeded, "it has more bytes than the limit allows");
+    return refuse(Errc::limit_exceeded, "it has more bytes than the limit allows", place);
   }
   return {};
 }

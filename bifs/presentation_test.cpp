@@ -245,4 +245,23 @@ TEST(CommandBuffers, InAProtoBodySpeakOfTheNodesThere) {
   EXPECT_EQ(std::get<FieldReplacement>(buffer->commands[0]).target.node, body.names.at("A"));
 }
 
+TEST(Samples, ThatCannotBeReadAreNamedOnceWithTheirPlaceInThisFile) {
+  const Bytes file = file_bytes(folder_of("24-commands-basic") / "scene.mp4");
+  Mp4Movie movie = movie_of(file);
+  const auto error_of = [&](const Mp4Source& source) {
+    Diagnostics diagnostics;
+    const auto scene = decode_presentation(source, movie, {}, nullptr, diagnostics);
+    return scene.ok() ? Error{} : scene.error();
+  };
+  const uint64_t begin = movie.tracks[0].samples[0].offset;
+  const Error cut = error_of(mp4_source(std::span(file).first(begin)));
+  EXPECT_EQ(cut.place, Place::at_byte(begin));
+  EXPECT_EQ(cut.text,
+            "track 1, sample 0: it ends behind the file of " + std::to_string(begin) + " bytes");
+  movie.tracks[0].entries[0].in_this_file = false;
+  const Error elsewhere = error_of(mp4_source(file));
+  EXPECT_EQ(elsewhere.place, Place::none());
+  EXPECT_EQ(elsewhere.text, "track 1, sample 0: it lies in another file, which is not read");
+}
+
 }  // namespace afx::bifs
