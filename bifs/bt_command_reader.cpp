@@ -166,9 +166,11 @@ void BtTextReader::read_replace_scene(Commands& out) {
   SceneReplacement command;
   while (in_.peek_word() == "PROTO" || in_.peek_word() == "EXTERNPROTO")
     read_declaration(Scene::kMain);
+  in_.skip_space();
+  const size_t begin = in_.offset();
   command.root = read_node_or_null(Scene::kMain);
   if (in_.ok() && !may_be_top_node(scene_, command.root))
-    return in_.fail(Errc::malformed, in_.offset(),
+    return in_.fail(Errc::malformed, begin,
                     "a " + scene_.type_name(command.root) + " may not be the top node [expected " +
                         kTopNodes + "]");
   while (in_.ok() && !in_.at_end() && in_.peek() != '}' && read_declaration(Scene::kMain)) {

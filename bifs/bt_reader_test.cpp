@@ -258,7 +258,8 @@ constexpr BadText kBad[] = {
     {"DEF A Transform {} AT 1 { REPLACE A.scale [0] BY 2 2 2 }", Errc::malformed,
      "1:43: REPLACE: found '[' [expected BY, for this field is no list]"},
     {"Group {} AT 1 { REPLACE SCENE BY Shape {} }", Errc::malformed,
-     "a Shape may not be the top node [expected Group, OrderedGroup, Layer2D, Layer3D]"},
+     "1:34: REPLACE: a Shape may not be the top node [expected Group, OrderedGroup, Layer2D, "
+     "Layer3D]"},
     {"Shape {}\n  Box {}", Errc::malformed,
      "2:3: a Box may not stand at the top [expected Group, Shape or another that may stand under a "
      "Group]"},
