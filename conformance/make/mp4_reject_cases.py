@@ -50,7 +50,15 @@ def files():
         broken, bit = patched(box, u32(0x00FFFFFF))
         yield "lies-" + box.rsplit("/",
             1)[-1], f"the box {box.rsplit('/', 1)[-1]} ends behind the one it is in", broken, "truncated", bit, "1.box-lies"
+    yield "compressed-movie", "a movie in compressed form", made(
+        change=lambda moov: Box("moov", Box("cmov", bytes(8))))[0], "unsupported", None, "1.moov"
+    yield "entry-short", "a sample entry of four bytes", made(change=_short_entry)[0], "truncated", None, "1.data-reference"
     yield "moov-cut-by-size", "a movie that ends in the middle of a track", *_shrunk(), "1.box-lies"
+
+
+def _short_entry(moov):
+    moov.child("trak", "mdia", "minf", "stbl", "stsd").parts[1:] = [Box("mp4s", bytes(4))]
+    return moov
 
 
 def _shrunk():
@@ -173,6 +181,20 @@ def fragments():
     file, _ = movie.write()
     yield "fragment-cut", "a file that ends inside a fragment", file[:file.index(b"trun") + 8], "truncated", 8 * (
         file.index(b"moof") - 4), "1.fragments 1.box-lies"
+    trex, tfdt, trun = file.index(b"trex") - 4, file.rindex(b"tfdt") - 4, file.index(b"trun") - 4
+
+    def with_bytes(at, data):
+        return file[:at] + data + file[at + len(data):]
+    yield "fragment-entry", "fragments with the ninth of one sample entries", with_bytes(
+        trex + 16, u32(9)), "malformed", None, "1.fragments 1.tables-agree"
+    yield "fragment-time-back", "a fragment that begins before the sample in front of it", with_bytes(
+        tfdt + 12, u64(0)), "malformed", 8 * (tfdt + 12), "1.fragments 1.times"
+    yield "fragment-offset", "a fragment whose samples begin before the file", with_bytes(
+        trun + 16, u32(1 << 31)), "malformed", 8 * (trun + 16), "1.fragments 1.samples-inside"
+    unsized, _ = good.Fragmented(good.scene(units=5), [3], 0x100, (100, 1000, 0)).write()
+    trun = unsized.index(b"trun") - 4
+    yield "fragment-defaults", "more samples of the default size than the file has bytes for", unsized[:trun + 12] + u32(
+        1 << 20) + unsized[trun + 16:], "truncated", 8 * (trun + 12), "1.fragments 1.samples-inside"
 
 
 def descriptors():
