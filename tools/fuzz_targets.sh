@@ -4,7 +4,7 @@
 # The kinds of files among the conformance suites that are seeds of a target.
 declare -A fuzz_endings=(
   [octree_frame_fuzz]='' [octree_stream_fuzz]='afx' [bifs_decoder_fuzz]='' [od_fuzz]='' [mp4_fuzz]='mp4'
-  [picture_header_fuzz]='' [model_source_fuzz]=''
+  [picture_header_fuzz]='' [model_source_fuzz]='' [decoded_scene_fuzz]='mp4'
   [suite_fuzz]='' [scene_text_fuzz]='wrl bt' [bt_fuzz]='bt wrl' [xmt_fuzz]='xmt' [dibr_model_fuzz]='wrl')
 readarray -t fuzz_targets < <(printf '%s\n' "${!fuzz_endings[@]}" | sort)
 
