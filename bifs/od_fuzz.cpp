@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 the afx authors
 //
 // Any bytes as an access unit of object descriptors, and as descriptors. What is read is written,
-// reads the same, and where there was no warning it is the same bytes.
+// reads the same with somebody listening, and where there was no warning it is the same bytes.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -40,7 +40,10 @@ void run_commands(std::span<const uint8_t> data) {
   if (diagnostics.count() == 0) {
     require(std::equal(written.value().begin(), written.value().end(), data.begin(), data.end()));
   }
-  const auto again = read_od_commands(written.value(), small_limits(), diagnostics);
+  const codec::Trace trace = [&](const codec::TraceElement& element) {
+    require(element.bit + element.width <= uint64_t{8} * written.value().size());
+  };
+  const auto again = read_od_commands(written.value(), small_limits(), diagnostics, &trace);
   require(again.ok() && again.value() == commands.value());
 }
 
