@@ -47,6 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (!encodable) continue;
     const auto again = second.decode(bytes.value(), diagnostics);
     if (again.ok()) continue;
+    // A field given again drops the node it had, which keeps its ID: only what stands is encoded.
+    encodable = again.error().text.find("no node has the ID") == std::string::npos;
+    if (!encodable) continue;
     std::fprintf(stderr, "encoded, and not decoded again: %s\n", to_string(again.error()).c_str());
     std::abort();
   }
