@@ -96,9 +96,11 @@ class RunReader {
       if ((flags_ & field) != 0) bits += 32;
     }
     const uint32_t count = in_.count(bits, "sample_count");
+    check_count(count);
     if ((flags_ & 1) != 0) move_to(in_.i32("data_offset"));
     if ((flags_ & 4) != 0) first_flags_ = in_.u32("first_sample_flags");
-    Status status = in_.ok() ? check_count(count) : in_.status();
+    Status status = in_.status();
+    if (status.ok()) status = context_.charge(uint64_t{count} * sizeof(Mp4Sample), part_);
     for (uint32_t i = 0; i < count && status.ok(); ++i) status = read_one(i == 0);
     return status;
   }
@@ -115,7 +117,7 @@ class RunReader {
   }
 
   /// Where the sizes are not listed, so many samples must be in the file.
-  Status check_count(uint32_t count) {
+  void check_count(uint32_t count) {
     const uint32_t size = fragment_.defaults.size;
     if ((flags_ & 0x200) == 0 && uint64_t{size} * count > context_.source.size) {
       in_.fail(Errc::truncated, "sample_count is " + std::to_string(count) + " with " +
@@ -127,8 +129,6 @@ class RunReader {
                                          " samples without bytes (expected at most " +
                                          std::to_string(kMostEmptySamples) + ")");
     }
-    if (!in_.ok()) return in_.status();
-    return context_.charge(uint64_t{count} * sizeof(Mp4Sample), part_);
   }
 
   Status read_one(bool first) {

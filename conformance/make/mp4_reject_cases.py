@@ -191,7 +191,7 @@ def fragments():
         tfdt + 12, u64(0)), "malformed", 8 * (tfdt + 12), "1.fragments 1.times"
     yield "fragment-offset", "a fragment whose samples begin before the file", with_bytes(
         trun + 16, u32(1 << 31)), "malformed", 8 * (trun + 16), "1.fragments 1.samples-inside"
-    unsized, _ = good.Fragmented(good.scene(units=5), [3], 0x100, (100, 1000, 0)).write()
+    unsized, _ = good.Fragmented(good.scene(units=5), [3], 0, (100, 1000, 0)).write()
     trun = unsized.index(b"trun") - 4
     yield "fragment-defaults", "more samples of the default size than the file has bytes for", unsized[:trun + 12] + u32(
         1 << 20) + unsized[trun + 16:], "truncated", 8 * (trun + 12), "1.fragments 1.samples-inside"
