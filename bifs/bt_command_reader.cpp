@@ -318,7 +318,7 @@ void BtTextReader::read_child_field(XReplace& command) {
   const size_t begin = in_.offset();
   const std::string_view name = in_.peek_word();
   for (const auto* list : {now, first}) {
-    const NodeId child = list != nullptr ? xreplace_element(scene_, command, *list) : NodeId{};
+    const NodeId child = list != nullptr ? lists_.element(scene_, command, *list) : NodeId{};
     if (!child.valid() || !scene_.node(child).definition->find_event_in(name).valid()) continue;
     command.child_field = FieldRef{child, read_target_field(child, IndexMode::in)};
     return;

@@ -98,6 +98,22 @@ TEST(BtReader, AnXreplaceOfAChildKnowsWhatOtherCommandsDidToTheList) {
   }
 }
 
+TEST(BtReader, AnXreplaceOfAChildTakesItsIndexFromAFieldAsItIsByThen) {
+  for (const std::string commands_before :
+       {"REPLACE S.whichChoice BY 2", "MULTIPLEREPLACE S { whichChoice 2 }",
+        "XREPLACE S.whichChoice BY 2",
+        "REPLACE S.whichChoice BY 7 REPLACE T.whichChoice BY 2 "
+        "XREPLACE S.whichChoice BY T.whichChoice"}) {
+    const Presentation one = read(
+        "DEF G Group { children [ DEF S Switch { whichChoice 0 } DEF T Switch {} Transform {} ] }\n"
+        "AT 1 { " +
+        commands_before + " XREPLACE G.children[S.whichChoice].translation BY 1 2 3 }");
+    const auto& command = std::get<XReplace>(commands(one, 1).back());
+    ASSERT_TRUE(command.child_field.has_value()) << commands_before;
+    EXPECT_EQ(one.scene.type_name(command.child_field->node), "Transform") << commands_before;
+  }
+}
+
 TEST(BtReader, ACommandOutsideOfAtComesAfterTheScene) {
   const Presentation one = read(
       "DEF A Transform {}\nDEF r ROUTE A.scale TO A.scale\nDELETE ROUTE r\n"

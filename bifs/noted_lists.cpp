@@ -3,7 +3,6 @@
 #include "bifs/noted_lists.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace afx::bifs {
 
@@ -37,6 +36,7 @@ FieldRef first_list(const Scene& scene, NodeId node) {
 
 void NotedLists::clear() {
   lists_.clear();
+  integers_.clear();
   gone_.clear();
   copied_ = 0;
 }
@@ -44,6 +44,26 @@ void NotedLists::clear() {
 const std::vector<NodeId>* NotedLists::list(const Scene& scene, const FieldRef& field) {
   const List* found = find(scene, field);
   return found != nullptr ? &found->nodes : nullptr;
+}
+
+std::optional<uint32_t> NotedLists::index(const Scene& scene, const FieldRef& field) const {
+  const auto noted = integers_.find({field.node, field.field});
+  const auto* index = noted != integers_.end()
+                          ? &noted->second
+                          : std::get_if<int32_t>(&scene.value(field.node, field.field));
+  if (index == nullptr || *index < 0) return std::nullopt;
+  return static_cast<uint32_t>(*index);
+}
+
+NodeId NotedLists::element(const Scene& scene, XReplace command,
+                           const std::vector<NodeId>& list) const {
+  if (command.index_from) {
+    const auto at = index(scene, *command.index_from);
+    if (!at) return {};
+    command.index_from.reset();
+    command.position = Position{Position::Kind::index, *at};
+  }
+  return xreplace_element(scene, command, list);
 }
 
 /// The list as the nodes that have gone since it was asked for leave it.
@@ -66,6 +86,8 @@ NotedLists::List* NotedLists::find(const Scene& scene, const FieldRef& field) {
 }
 
 void NotedLists::set(const Scene& scene, const FieldRef& field, const FieldValue& value) {
+  if (const auto* integer = std::get_if<int32_t>(&value))
+    integers_[{field.node, field.field}] = *integer;
   const auto* nodes = std::get_if<std::vector<NodeId>>(&value);
   List* const list = nodes != nullptr ? find(scene, field) : nullptr;
   if (list != nullptr) list->nodes = *nodes;
@@ -101,10 +123,9 @@ void NotedLists::note(const Scene& scene, const XReplace& command) {
   FieldRef target = command.target;
   std::optional<Position> position = command.position;
   if (command.index_from) {
-    const auto* index =
-        std::get_if<int32_t>(&scene.value(command.index_from->node, command.index_from->field));
-    if (index == nullptr || *index < 0) return;
-    position = Position{Position::Kind::index, static_cast<uint32_t>(*index)};
+    const auto at = index(scene, *command.index_from);
+    if (!at) return;
+    position = Position{Position::Kind::index, *at};
   }
   if (command.child_field) {
     target = *command.child_field;
@@ -113,6 +134,8 @@ void NotedLists::note(const Scene& scene, const XReplace& command) {
   FieldValue value = command.value;
   if (command.value_from) {
     value = scene.value(command.value_from->node, command.value_from->field);
+    const auto integer = integers_.find({command.value_from->node, command.value_from->field});
+    if (integer != integers_.end()) value = integer->second;
     if (const List* from = find(scene, *command.value_from)) {
       if ((copied_ += from->nodes.size()) > kMostCopied) return;
       value = from->nodes;

@@ -328,7 +328,7 @@ NodeId XmtSceneReader::read_child_type(XmtAttributes& attributes, const XReplace
   const auto* first =
       std::get_if<std::vector<NodeId>>(&scene_.value(command.target.node, command.target.field));
   for (const auto* list : {now, first}) {
-    const NodeId child = list != nullptr ? xreplace_element(scene_, command, *list) : NodeId{};
+    const NodeId child = list != nullptr ? lists_.element(scene_, command, *list) : NodeId{};
     if (child.valid() && (type.empty() || scene_.type_name(child) == type)) return child;
   }
   const NodeDefinition* known = nodes::definitions().find(type);
