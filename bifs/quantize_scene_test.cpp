@@ -201,6 +201,27 @@ TEST(QuantizeScene, DecodedValuesLieOnTheGridOfTheFormulaInLongDouble) {
   }
 }
 
+TEST(QuantizeScene, AComponentWithoutBoundsIsNotLost) {
+  for (const float weight : {1.0F, 0.0F}) {
+    Sample sample;
+    Scene& scene = sample.presentation.scene;
+    const NodeId print = scene.add("FootPrintSetNode").value();
+    const NodeId curve = scene.add("NurbsCurve2D").value();
+    Points points = random_points(100, 0, 8);
+    for (glm::vec3& point : points) point.z = weight;
+    sample.set(curve, "controlPoint", points);
+    EXPECT_TRUE(scene.append(print, "children", curve).ok());
+    EXPECT_TRUE(scene.append(sample.root, "children", print).ok());
+    const std::string expected =
+        "NurbsCurve2D.controlPoint: a component for which position2DMin and Max have no number";
+    EXPECT_EQ(reason(sample.quantize(), "position2D"), weight == 1 ? expected : "");
+    const Scene decoded = decode(sample.encode());
+    for (const glm::vec3& point :
+         decoded.get<Points>(node_of(decoded, "NurbsCurve2D"), "controlPoint"))
+      EXPECT_EQ(point.z, weight);
+  }
+}
+
 TEST(QuantizeScene, TheStreamIsLessThanTwoThirdsAsLong) {
   Sample plain;
   Sample quantized;

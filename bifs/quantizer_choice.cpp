@@ -140,14 +140,18 @@ class Category {
     const auto& bounds = value.field->bounds;
     bool is_finite = true;
     bool is_inside = true;
+    bool is_codable = true;
     for_each_component(*value.value, [&](float v, size_t component) {
       const size_t i = is_vector() ? component : 0;
+      is_codable = is_codable && (i < used_components() || v == 0);
       is_finite = is_finite && std::isfinite(v);
       is_inside = is_inside && is_in(bounds, v);
       lo_[i] = std::min(lo_[i], v);
       hi_[i] = std::max(hi_[i], v);
     });
     if (!is_finite) return label(value) + ": an infinity or NaN";
+    if (!is_codable)  // such as the weights of a NurbsCurve2D: category 2 has two bounds
+      return label(value) + ": a component for which " + name_ + "Min and Max have no number";
     return is_inside ? std::string{} : label(value) + ": a value outside the range of the field";
   }
 
