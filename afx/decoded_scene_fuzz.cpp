@@ -39,10 +39,11 @@ Result<DecodedScene> decode(const bifs::Mp4Source& source, const bifs::Mp4Movie&
 }
 
 /// What no text can say: commands put a node where it may not stand, or deleted the PROTO of an
-/// instance that stays.
+/// instance that stays; a ROUTE goes from one type to another.
 bool is_beyond_text(const Error& error) {
   return error.text.find("may not stand here") != std::string::npos ||
-         error.text.find("no node type") != std::string::npos;
+         error.text.find("no node type") != std::string::npos ||
+         error.text.find("cannot go to") != std::string::npos;
 }
 
 void check_text(const nodes::Scene& scene) {

@@ -234,6 +234,7 @@ BifsConfig BtTextReader::read_bifs_config(uint8_t version) {
 SlConfig BtTextReader::read_sl_config() {
   SlConfig sl;
   SlFields fields;
+  fields.time_stamp_resolution = 0;  // unsaid, as in XMT-A
   sl.predefined = 0;
   read_block("SLConfigDescriptor", [&](FieldReader& field) {
     field.number("predefined", sl.predefined, 8, 0);

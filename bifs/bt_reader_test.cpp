@@ -114,6 +114,19 @@ TEST(BtReader, AnXreplaceOfAChildTakesItsIndexFromAFieldAsItIsByThen) {
   }
 }
 
+TEST(BtReader, WhatAnSlConfigDescriptorDoesNotSayIsZeroAsItIsWritten) {
+  for (const std::string said : {"", "timeStampResolution 0"}) {
+    const Presentation one = read(
+        "InitialObjectDescriptor { esDescr [ ES_Descriptor { ES_ID 1 decConfigDescr "
+        "DecoderConfigDescriptor { streamType 3 } slConfigDescr SLConfigDescriptor { " +
+        said + " } } ] } Group {}");
+    const auto* sl = find_part<SlConfig>(scene_stream(one.initial)->parts);
+    ASSERT_TRUE(sl != nullptr && sl->fields.has_value());
+    EXPECT_EQ(sl->fields->time_stamp_resolution, 0U);
+    EXPECT_TRUE(sl->fields->time_stamps);
+  }
+}
+
 TEST(BtReader, ACommandOutsideOfAtComesAfterTheScene) {
   const Presentation one = read(
       "DEF A Transform {}\nDEF r ROUTE A.scale TO A.scale\nDELETE ROUTE r\n"
