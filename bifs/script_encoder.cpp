@@ -470,6 +470,8 @@ class ScriptEncoder {
 
   Expression primary() {
     Expression found;
+    if (in_.kind == Tokens::Kind::string && in_.token.find('\0') != std::string_view::npos)
+      fail("a string without zero bytes, at which its coded form ends");
     if (in_.kind == Tokens::Kind::string || in_.kind == Tokens::Kind::number) {
       found.type =
           in_.kind == Tokens::Kind::string ? ScriptExpression::string : ScriptExpression::number;
