@@ -139,7 +139,7 @@ void FrameDecoder::read_buffers(bool last) {
     }
     buffers_.resize(behind);
     buffer.commands->commands.clear();
-    if (!last && error->code == Errc::malformed) {
+    if (!last && error->code != Errc::limit_exceeded) {
       ++i;
       continue;
     }
