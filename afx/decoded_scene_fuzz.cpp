@@ -12,16 +12,13 @@
 #include "afx/decoded_scene.h"
 #include "afx/scene_packing.h"
 #include "bifs/mp4_reader.h"
+#include "codec/fuzz_test_support.h"
 #include "nodes/scene_reader.h"
 #include "nodes/scene_writer.h"
 
 namespace {
 
 using namespace afx;
-
-void require(bool claim) {
-  if (!claim) std::abort();
-}
 
 Limits small_limits() {
   Limits limits;

@@ -6,7 +6,6 @@
 // holds together, also where they inline themselves; reading twice gives the same.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <span>
@@ -19,15 +18,12 @@
 #include "afx/surfel_layers.h"
 #include "afx/surfel_sources.h"
 #include "afx/visual_scene.h"
+#include "codec/fuzz_test_support.h"
 #include "nodes/scene_reader.h"
 
 namespace {
 
 using namespace afx;
-
-void require(bool claim) {
-  if (!claim) std::abort();
-}
 
 Limits small_limits() {
   Limits limits;

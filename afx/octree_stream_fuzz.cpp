@@ -6,16 +6,14 @@
 // same bytes.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "afx/octree_stream.h"
+#include "codec/fuzz_test_support.h"
 
 namespace {
 
-void require(bool claim) {
-  if (!claim) std::abort();
-}
+using afx::require;
 
 void check_last_frame(std::span<const uint8_t> bytes, afx::OctreeDecodeOptions options,
                       const afx::OctreeStream& all) {

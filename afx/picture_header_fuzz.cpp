@@ -4,16 +4,14 @@
 // First bytes of pictures: a header has a size, an error a place in the data; more data behind a
 // header change nothing.
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "afx/picture_header.h"
+#include "codec/fuzz_test_support.h"
 
 namespace {
 
-void require(bool claim) {
-  if (!claim) std::abort();
-}
+using afx::require;
 
 }  // namespace
 

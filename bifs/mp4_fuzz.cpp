@@ -5,22 +5,18 @@
 // written to the same bytes.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "bifs/mp4_reader.h"
 #include "bifs/mp4_writer.h"
 #include "bifs/raw_bifs.h"
+#include "codec/fuzz_test_support.h"
 
 namespace {
 
 using namespace afx;
 using namespace afx::bifs;
 using Bytes = std::vector<uint8_t>;
-
-void require(bool claim) {
-  if (!claim) std::abort();
-}
 
 Limits small_limits() {
   Limits limits;

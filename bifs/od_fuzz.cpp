@@ -5,20 +5,16 @@
 // reads the same with somebody listening, and where there was no warning it is the same bytes.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 
 #include "bifs/descriptor_reader.h"
 #include "bifs/descriptor_writer.h"
 #include "bifs/od_command.h"
+#include "codec/fuzz_test_support.h"
 
 namespace {
 
 using namespace afx;
 using namespace afx::bifs;
-
-void require(bool claim) {
-  if (!claim) std::abort();
-}
 
 Limits small_limits() {
   Limits limits;

@@ -4,19 +4,17 @@
 // Any bytes as an octree frame: the fast decoder does what the plain one does, and what decodes
 // whole encodes and decodes to the same. The first two bytes choose levels and textures.
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
+#include "codec/fuzz_test_support.h"
 #include "codec/octree_decoder.h"
 #include "codec/octree_encoder.h"
 #include "codec/plain/octree_plain.h"
 
 namespace {
 
-void require(bool claim) {
-  if (!claim) std::abort();
-}
+using afx::require;
 
 }  // namespace
 

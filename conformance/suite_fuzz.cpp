@@ -4,10 +4,10 @@
 // Suites and answers of decoders: what is read holds together, what is not gives an error that says
 // something; an answer that was read is written and read the same.
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "afx/builder/json_text.h"
+#include "codec/fuzz_test_support.h"
 #include "conformance/decoder.h"
 #include "conformance/suite.h"
 
@@ -15,10 +15,6 @@ namespace {
 
 using namespace afx;
 using namespace afx::conformance;
-
-void require(bool claim) {
-  if (!claim) std::abort();
-}
 
 void check_suite(std::span<const uint8_t> bytes) {
   const auto suite = parse_suite(bytes, "folder");

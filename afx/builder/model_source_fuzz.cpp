@@ -5,21 +5,17 @@
 // of RGB-D pictures. Each gives what fits together, or an error that says something; points that
 // are written are read again.
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "afx/builder/camera_list.h"
 #include "afx/builder/model_reader.h"
 #include "afx/builder/ply_writer.h"
 #include "afx/builder/rgbd_description.h"
+#include "codec/fuzz_test_support.h"
 
 namespace {
 
 using namespace afx;
-
-void require(bool claim) {
-  if (!claim) std::abort();
-}
 
 Limits small_limits() {
   Limits limits;
