@@ -44,14 +44,14 @@ FrameDecoder::Depth::Depth(FrameDecoder& decoder) : decoder_(decoder) {
 
 FrameDecoder::FrameDecoder(DecoderState& state, std::span<const uint8_t> data,
                            Diagnostics& diagnostics, const codec::Trace* trace)
-    : state_(state), diagnostics_(diagnostics), frame_(data, trace), in_(&frame_), data_(data) {}
+    : state_(state), diagnostics_(&diagnostics), frame_(data, trace), in_(&frame_), data_(data) {}
 
 void FrameDecoder::fail(Errc code, const std::string& text) {
   if (ok()) in_->fail(code, path_ + ": " + text);
 }
 
 void FrameDecoder::warn(std::string_view code, const std::string& text) {
-  diagnostics_.warn(std::string(code), Place::at_bit(in_->bit()), path_ + ": " + text);
+  diagnostics_->warn(std::string(code), Place::at_bit(in_->bit()), path_ + ": " + text);
 }
 
 /// Counts what is about to be kept against the limits of the call.
@@ -115,7 +115,7 @@ void FrameDecoder::read_frame(const BifsDecoder::CommandSink& sink, CommandFrame
     if (!applied.ok()) warn("not_applied", applied.error().text);
   }
   frame.bits_used = in_->bit();
-  in_->align(diagnostics_);
+  in_->align(*diagnostics_);
   if (in_->bits_left() > 0)
     warn("trailing_bytes", std::to_string(in_->bits_left() / 8) + " bytes behind the frame");
 }
@@ -131,14 +131,11 @@ void FrameDecoder::forget_bodies() {
 void FrameDecoder::read_buffers(bool last) {
   for (size_t i = 0; ok() && i < buffers_.size();) {
     const Buffer buffer = buffers_[i];
-    const size_t behind = buffers_.size();
-    const std::optional<Error> error = read_buffer(buffer);
+    const std::optional<Error> error = try_buffer(buffer, last);
     if (!error) {
       buffers_.erase(buffers_.begin() + static_cast<ptrdiff_t>(i));
       continue;
     }
-    buffers_.resize(behind);
-    buffer.commands->commands.clear();
     if (!last && error->code != Errc::limit_exceeded) {
       ++i;
       continue;
@@ -147,6 +144,42 @@ void FrameDecoder::read_buffers(bool last) {
     (void)frame_.u(0, "buffer");  // the place of the error
     frame_.fail(error->code, error->text);
   }
+}
+
+/// What is read of a buffer that has to wait leaves nothing behind.
+std::optional<Error> FrameDecoder::try_buffer(const Buffer& buffer, bool last) {
+  Before before{state_.scene.mark(), ended_bodies_.size(), buffers_.size(), {}};
+  Diagnostics warnings;
+  Diagnostics* const diagnostics = std::exchange(diagnostics_, &warnings);
+  before_ = &before;
+  buffer_scope_ = buffer.scope;
+  std::optional<Error> error = read_buffer(buffer);
+  before_ = nullptr;
+  diagnostics_ = diagnostics;
+  if (!error || last) diagnostics_->append(warnings);
+  if (error) {
+    buffer.commands->commands.clear();
+    take_back(before, buffer.scope);
+  }
+  return error;
+}
+
+void FrameDecoder::take_back(const Before& before, nodes::ScopeId scope) {
+  buffers_.resize(before.buffers);
+  ended_bodies_.resize(before.ended_bodies);
+  state_.ids.erase(state_.ids.lower_bound(nodes::ScopeId{before.scene.scopes}), state_.ids.end());
+  const auto restore = [](auto& known, const auto& meanings) {
+    for (const auto& [number, id] : meanings) {
+      if (id.valid())
+        known[number] = id;
+      else
+        known.erase(number);
+    }
+  };
+  ScopeIds& ids = state_.ids[scope];
+  restore(ids.nodes, before.ids.nodes);
+  restore(ids.protos, before.ids.protos);
+  state_.scene.revert(before.scene);
 }
 
 /// A buffer is a command frame of its own, without effect on the state until it is carried out.

@@ -89,10 +89,20 @@ class FrameDecoder {
     uint32_t depth;
   };
 
+  /// What was known before a buffer was begun.
+  struct Before {
+    nodes::Scene::Mark scene;
+    size_t ended_bodies;
+    size_t buffers;
+    ScopeIds ids;  ///< in its scope, where it gives them anew; not valid: unknown
+  };
+
   // decoder.cpp: the frame, and what all parts use
   void read_frame(const BifsDecoder::CommandSink& sink, CommandFrame& frame);
   void forget_bodies();
   void read_buffers(bool last);
+  std::optional<Error> try_buffer(const Buffer& buffer, bool last);
+  void take_back(const Before& before, nodes::ScopeId scope);
   std::optional<Error> read_buffer(const Buffer& buffer);
   uint32_t u(unsigned bits, std::string_view name) { return in_->u(bits, name); }
   [[nodiscard]] bool ok() const { return in_->ok(); }
@@ -102,6 +112,13 @@ class FrameDecoder {
   std::string read_name(std::string_view what);
   void take_name(std::string_view what, std::string& name, bool of_type);
   ScopeIds& ids() { return state_.ids[scope_]; }
+  /// Gives `number` its meaning in the scope.
+  template <class Id>
+  void know(std::map<uint32_t, Id> ScopeIds::*kind, uint32_t number, Id id) {
+    Id& known = (ids().*kind)[number];
+    if (before_ != nullptr && scope_ == buffer_scope_) (before_->ids.*kind).emplace(number, known);
+    known = id;
+  }
 
   // decoder_commands.cpp
   std::optional<Command> read_command();
@@ -203,7 +220,7 @@ class FrameDecoder {
   friend class PredictiveDecoder;
 
   DecoderState& state_;
-  Diagnostics& diagnostics_;
+  Diagnostics* diagnostics_;
   codec::BitReader frame_;         ///< over the whole access unit
   codec::BitReader* in_;           ///< that, or over a command buffer
   std::span<const uint8_t> data_;  ///< what in_ reads
@@ -218,6 +235,8 @@ class FrameDecoder {
   std::deque<Buffer> buffers_;                ///< not read yet
   std::vector<nodes::ScopeId> ended_bodies_;  ///< whose IDs the buffers may need
   uint32_t buffer_depth_ = 0;                 ///< 0: not in a buffer
+  nodes::ScopeId buffer_scope_;               ///< of the buffer that is being read
+  Before* before_ = nullptr;                  ///< nullptr: not in a buffer
 };
 
 }  // namespace afx::bifs

@@ -101,7 +101,7 @@ NodeId FrameDecoder::read_instance() {
 /// A node becomes known when it is complete, so that it cannot stand inside itself.
 void FrameDecoder::register_node(NodeId node, uint32_t id) {
   if (!ok()) return;
-  ids().nodes[id] = node;
+  know(&ScopeIds::nodes, id, node);
 }
 
 void FrameDecoder::read_fields(const NodeDefinition& layout, const FieldTarget& target,

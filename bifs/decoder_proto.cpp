@@ -44,7 +44,7 @@ ProtoId FrameDecoder::read_proto() {
   proto_ = outer_proto;
   if (!ok()) return {};
   state_.scene.settle_data_types(proto);
-  ids().protos[id] = proto;  // known when it is complete: it cannot stand inside itself
+  know(&ScopeIds::protos, id, proto);  // known when it is complete: it cannot stand inside itself
   return proto;
 }
 

@@ -154,4 +154,16 @@ NodeDefinition& Scene::own_definition(NodeId script) {
   return *n.own_definition;
 }
 
+void Scene::revert(const Mark& mark) {
+  for (size_t i = mark.nodes; i < nodes_.size(); ++i) (void)set_name(NodeId{i}, {});
+  nodes_.resize(mark.nodes);
+  for (size_t i = protos_.size(); i-- > mark.protos;) {
+    Scope& outer = scope(protos_[i]->scope);
+    outer.proto_names.erase(protos_[i]->interface.name);
+    outer.protos.pop_back();
+  }
+  protos_.resize(mark.protos);
+  scopes_.resize(mark.scopes);
+}
+
 }  // namespace afx::nodes

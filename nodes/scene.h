@@ -151,6 +151,15 @@ class Scene {
   /// Adds fields to a Script: returns its own definition, made at the first call.
   NodeDefinition& own_definition(NodeId script);
 
+  /// How much there is, for revert().
+  struct Mark {
+    size_t nodes, scopes, protos;
+  };
+  [[nodiscard]] Mark mark() const { return {nodes_.size(), scopes_.size(), protos_.size()}; }
+  /// Takes back the nodes and PROTOs added since, with their names. Nothing that was there before
+  /// may speak of them: no field, ROUTE or list of top nodes.
+  void revert(const Mark& mark);
+
  private:
   std::vector<Node> nodes_;
   std::vector<std::unique_ptr<Scope>> scopes_;
