@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -20,10 +19,6 @@
 #include <vector>
 
 #include "afx/srgb.h"
-
-#ifdef AFX_ADDRESS_SANITIZER
-#include <sanitizer/lsan_interface.h>
-#endif
 
 namespace {
 
@@ -282,11 +277,5 @@ afx_picture_module_get() {
   // Whoever calls us has threads of its own, and says how many.
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", 1);
-#ifdef AFX_ADDRESS_SANITIZER
-  // Leaks are looked for before the libraries' own threads end: the search now and then crashes on
-  // a thread that ends meanwhile.
-  static const int once = std::atexit(__lsan_do_leak_check);
-  (void)once;
-#endif
   return &module;
 }
