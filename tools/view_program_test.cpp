@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 
-constexpr seconds kPatience(30);  // other programs may be busy
+constexpr seconds kPatience(120);  // other programs may be busy
 
 /// An X server without a screen.
 class VirtualDisplay {
@@ -95,8 +95,9 @@ class ViewProgram : public Program {
     ASSERT_EQ(tool("search --sync --name '" + shown + " - afx'"), 0);
   }
   int tool(const std::string& words) const {
-    const std::string line =
-        "DISPLAY=" + display_->name() + " timeout 30 xdotool " + words + " >/dev/null 2>tool.log";
+    const std::string line = "DISPLAY=" + display_->name() + " timeout " +
+                             std::to_string(kPatience.count()) + " xdotool " + words +
+                             " >/dev/null 2>tool.log";
     return std::system(("cd '" + folder_.string() + "' && " + line).c_str());
   }
   void press(const std::string& keys) const { ASSERT_EQ(tool("key " + keys), 0); }
