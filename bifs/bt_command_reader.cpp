@@ -185,11 +185,7 @@ void BtTextReader::read_replace_scene(Commands& out) {
 
 /// `INSERT ROUTE [DEF r] a.b TO c.d`.
 void BtTextReader::read_insert_route(Commands& out) {
-  std::string name;
-  if (in_.accept_word("DEF")) {
-    if (in_.peek_word().empty()) return in_.fail_expected("the name of the ROUTE");
-    name = std::string(in_.take_word());
-  }
+  const std::string_view name = in_.accept_word("DEF") ? read_def_name("ROUTE") : "";
   Route route = read_new_route(name);
   if (!in_.ok()) return;
   if (!route.name.empty()) route.id = route_ids_.id_of_new(route.name, !like_gpac_);

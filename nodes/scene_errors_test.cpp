@@ -54,6 +54,8 @@ const BadText kBadTexts[] = {
      "1:47: Group.children: the node 'A' would stand inside itself"},
     {"DEF", kTruncated, "1:4: the text ends here [expected the name of a node after DEF]"},
     {"DEF TRUE Group {}", kMalformed, "1:5: 'TRUE' is a keyword [expected a name]"},
+    {"Group {} DEF field ROUTE A.b TO C.d", kMalformed,
+     "1:14: 'field' is a keyword [expected a name]"},
     {"USE 5", kMalformed, "1:5: found '5' [expected the name of a node after USE]"},
     // numbers
     {"Switch { whichChoice 2147483648 }", kMalformed,

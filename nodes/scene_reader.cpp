@@ -101,18 +101,19 @@ bool SceneTextReader::read_declaration(ScopeId scope) {
   // Only the word after the name tells a ROUTE from a node.
   TextCursor ahead = in_;
   ahead.accept_word("DEF");
-  const std::string_view name = ahead.peek_word();
-  if (name.empty()) return false;
-  ahead.accept_word(name);
-  if (!ahead.accept_word("ROUTE")) return false;
-  in_ = ahead;
+  if (ahead.peek_word().empty()) return false;
+  (void)ahead.take_word();
+  if (ahead.peek_word() != "ROUTE") return false;
+  in_.accept_word("DEF");
+  const std::string_view name = read_def_name("ROUTE");
+  in_.accept_word("ROUTE");
   return read_route(scope, name), true;
 }
 
 NodeId SceneTextReader::read_node(ScopeId scope) {
   if (in_.accept_word("USE")) return read_use(scope);
-  if (in_.accept_word("DEF")) return read_def(scope);
-  return read_new_node(scope, {});
+  const std::string_view name = in_.accept_word("DEF") ? read_def_name("node") : "";
+  return in_.ok() ? read_new_node(scope, name) : NodeId{};
 }
 
 NodeId SceneTextReader::read_node_or_null(ScopeId scope) {
@@ -142,14 +143,15 @@ NodeId SceneTextReader::find_named(std::string_view name, size_t begin, ScopeId 
   return {};
 }
 
-NodeId SceneTextReader::read_def(ScopeId scope) {
-  if (in_.peek_word().empty()) return in_.fail_expected("the name of a node after DEF"), NodeId{};
+/// What comes after DEF.
+std::string_view SceneTextReader::read_def_name(std::string_view of) {
+  if (in_.peek_word().empty())
+    return in_.fail_expected("the name of a " + std::string(of) + " after DEF"), "";
   const size_t begin = in_.offset();
   const std::string_view name = in_.take_word();
   if (!is_identifier(name))
-    return in_.fail(Errc::malformed, begin, quoted(name) + " is a keyword [expected a name]"),
-           NodeId{};
-  return read_new_node(scope, name);
+    return in_.fail(Errc::malformed, begin, quoted(name) + " is a keyword [expected a name]"), "";
+  return name;
 }
 
 NodeId SceneTextReader::read_new_node(ScopeId scope, std::string_view def_name) {

@@ -56,7 +56,7 @@ class SceneTextReader {
   NodeId read_node_or_null(ScopeId scope);
   NodeId read_use(ScopeId scope);
   NodeId find_named(std::string_view name, size_t begin, ScopeId scope);
-  NodeId read_def(ScopeId scope);
+  std::string_view read_def_name(std::string_view of);
   NodeId read_new_node(ScopeId scope, std::string_view def_name);
   NodeId make_node(std::string_view type, size_t begin, ScopeId scope);
   void give_name(NodeId id, std::string_view name, size_t begin);
