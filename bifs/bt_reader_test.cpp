@@ -266,6 +266,8 @@ struct BadText {
 class BadBt : public testing::TestWithParam<BadText> {};
 
 constexpr BadText kBad[] = {
+    {"DEF A Group {} AT 1 { INSERT ROUTE DEF TRUE A.children TO A.addChildren }", Errc::malformed,
+     "1:40: INSERT: 'TRUE' is a keyword [expected a name]"},
     {"Group {} REPLACE A BY NULL", Errc::malformed,
      "1:18: REPLACE: no node 'A' before this [expected a name that DEF gave]"},
     {"DEF A Group {} AT 1 { REPLACE A.childern BY [] }", Errc::malformed,

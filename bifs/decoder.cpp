@@ -131,13 +131,15 @@ void FrameDecoder::forget_bodies() {
 void FrameDecoder::read_buffers(bool last) {
   for (size_t i = 0; ok() && i < buffers_.size();) {
     const Buffer buffer = buffers_[i];
-    const std::optional<Error> error = try_buffer(buffer, last);
-    if (!error) {
-      buffers_.erase(buffers_.begin() + static_cast<ptrdiff_t>(i));
+    Diagnostics warnings;
+    const std::optional<Error> error = try_buffer(buffer, warnings);
+    if (error && !last && error->code != Errc::limit_exceeded) {
+      ++i;
       continue;
     }
-    if (!last && error->code != Errc::limit_exceeded) {
-      ++i;
+    diagnostics_->append(warnings);
+    if (!error) {
+      buffers_.erase(buffers_.begin() + static_cast<ptrdiff_t>(i));
       continue;
     }
     frame_.seek(buffer.bit + error->place.bit);
@@ -146,17 +148,15 @@ void FrameDecoder::read_buffers(bool last) {
   }
 }
 
-/// What is read of a buffer that has to wait leaves nothing behind.
-std::optional<Error> FrameDecoder::try_buffer(const Buffer& buffer, bool last) {
+/// Reads a buffer; what cannot be read leaves nothing behind.
+std::optional<Error> FrameDecoder::try_buffer(const Buffer& buffer, Diagnostics& warnings) {
   Before before{state_.scene.mark(), ended_bodies_.size(), buffers_.size(), {}};
-  Diagnostics warnings;
   Diagnostics* const diagnostics = std::exchange(diagnostics_, &warnings);
   before_ = &before;
   buffer_scope_ = buffer.scope;
   std::optional<Error> error = read_buffer(buffer);
   before_ = nullptr;
   diagnostics_ = diagnostics;
-  if (!error || last) diagnostics_->append(warnings);
   if (error) {
     buffer.commands->commands.clear();
     take_back(before, buffer.scope);

@@ -268,4 +268,45 @@ TEST(BifsErrors, AnIndexedFaceSetAs3DMeshIsNamed) {
       << frame.error().text;
 }
 
+TEST(BifsErrors, ABufferThatHadToWaitIsReadAsIfForTheFirstTime) {
+  // { REPLACE G.children BY [ DEF N Transform {} ] DELETE B } stands before B is inserted.
+  nodes::Scene scene;
+  const auto named = [&](const char* type, const char* name, uint32_t id) {
+    const nodes::NodeId node = scene.add(type).value();
+    EXPECT_TRUE(scene.set_name(node, name).ok());
+    scene.node(node).id = id;
+    return node;
+  };
+  const nodes::NodeId top = named("Group", "G", 1);
+  const nodes::NodeId held = named("Transform", "N", 2);
+  const nodes::NodeId late = named("Group", "B", 3);
+  const nodes::NodeId conditional = scene.add("Conditional").value();
+  const FieldRef children{top, scene.node(top).definition->find("children")};
+  auto commands = std::make_shared<BufferedCommands>();
+  commands->commands.push_back(FieldReplacement{children, std::vector<nodes::NodeId>{held}});
+  commands->commands.push_back(NodeDeletion{late, false});
+  nodes::CommandBuffer buffer;
+  buffer.content = commands;
+  ASSERT_TRUE(scene.set(conditional, "buffer", buffer).ok());
+  ASSERT_TRUE(scene.append(top, "children", conditional).ok());
+  SceneReplacement replacement;
+  replacement.root = top;
+  replacement.use_names = true;
+  const BifsConfig config = small_config();
+  BifsEncoder encoder(config);
+  const auto bytes = encode_frame(
+      encoder, scene, {replacement, NodeInsertion{top, {Position::Kind::last, 0}, late}});
+  ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
+  BifsDecoder decoder(config);
+  Diagnostics diagnostics;
+  const auto frame = decoder.decode(bytes.value(), diagnostics);
+  ASSERT_TRUE(frame.ok()) << to_string(frame.error());
+  for (const Warning& warning : diagnostics.warnings()) EXPECT_NE(warning.code, "name_twice");
+  EXPECT_TRUE(decoder.scene().find_name("N").valid());
+  size_t transforms = 0;
+  for (size_t i = 0; i < decoder.scene().node_count(); ++i)
+    transforms += decoder.scene().type_name(nodes::NodeId{i}) == "Transform";
+  EXPECT_EQ(transforms, 1U);
+}
+
 }  // namespace afx::bifs

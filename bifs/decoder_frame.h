@@ -101,7 +101,7 @@ class FrameDecoder {
   void read_frame(const BifsDecoder::CommandSink& sink, CommandFrame& frame);
   void forget_bodies();
   void read_buffers(bool last);
-  std::optional<Error> try_buffer(const Buffer& buffer, bool last);
+  std::optional<Error> try_buffer(const Buffer& buffer, Diagnostics& warnings);
   void take_back(const Before& before, nodes::ScopeId scope);
   std::optional<Error> read_buffer(const Buffer& buffer);
   uint32_t u(unsigned bits, std::string_view name) { return in_->u(bits, name); }
